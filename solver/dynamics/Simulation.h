@@ -1,0 +1,61 @@
+#pragma once
+// One vesicle in one scene: State in, State out.
+
+#include "solver/dynamics/Diagnostics.h"
+#include "solver/dynamics/Scales.h"
+#include "solver/scene/Scene.h"
+#include "solver/state/State.h"
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace vesicle
+{
+
+class Simulation
+{
+public:
+  /// `start` is the start mesh in the scene's units, oriented outward (make_start_mesh gives it for
+  /// scenes with a shape; scenes with a mesh file have it read by a reader). Throws InputError.
+  Simulation(const Scene& scene, TriangleMesh start);
+  ~Simulation();
+
+  const Scene& scene() const;
+  const Scales& scales() const;
+  const Triangles& triangles() const;
+  /// What the preparation of the mesh changed, for the user; empty if nothing.
+  const std::string& notes() const;
+
+  /// The start: time 0, velocity and tension solved for the start shape.
+  State start() const;
+  /// One accepted step. Throws NumericalError if there is none; `state` is then still valid.
+  State step(const State& state) const;
+  /// True at the scene's end time, or when the shape is steady (end = "steady").
+  bool finished(const State& state) const;
+
+  Diagnostics diagnose(const State& state) const;
+
+  /// Positions between two successive states by cubic Hermite interpolation, in the scene's units.
+  /// `time` in the scene's units, between the two states' times.
+  Points points_between(const State& before, const State& after, double time) const;
+  Points points(const State& state) const; ///< in the scene's units
+  double time(const State& state) const;   ///< in the scene's units
+
+  /// Point fields of a state in the scene's units, by the names of the output contract
+  /// (Mean_Curvature, Gauss_Curvature, Laplacian_Mean_Curvature, Normals, Bending_Force, Tension,
+  /// Tension_Force, Membrane_Force, Velocity, Surface_Divergence); #vertices rows, 1 or 3 columns.
+  /// Only what the scene has: no Tension without incompressibility, no Bending_Force without bending.
+  std::map<std::string, Eigen::MatrixXd> fields(const State& state) const;
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The start mesh of a scene with a shape, in the scene's units, placed and oriented.
+TriangleMesh make_start_mesh(const Scene& scene);
+/// Places a mesh that was read from the scene's mesh_file: radius, rotation. Throws InputError.
+TriangleMesh place_start_mesh(const Scene& scene, TriangleMesh mesh);
+
+}

@@ -1,0 +1,19 @@
+#pragma once
+// How good the triangles are.
+
+#include "solver/mesh/TriangleMesh.h"
+
+namespace vesicle
+{
+
+struct MeshQuality
+{
+  double min_angle_deg = 0;   ///< smallest corner angle, 60 at best
+  double edge_ratio = 0;      ///< longest to shortest edge, 1 at best
+  double mean_edge = 0;       ///< mean edge length
+  double min_edge = 0;
+  int worst_triangle = -1;    ///< where min_angle_deg is found
+};
+MeshQuality mesh_quality(const TriangleMesh& mesh);
+
+}

@@ -1,0 +1,125 @@
+#pragma once
+// What to model. Plain data in the units of the scene (dimensionless or SI alike); see
+// data/scenes/ for examples and SceneFile.h for the TOML format.
+
+#include "solver/mesh/Shapes.h"
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vesicle
+{
+
+struct Scene
+{
+  std::string name = "vesicle";
+  std::filesystem::path file; ///< where it was read from; empty: made in memory
+
+  struct Vesicle
+  {
+    ShapeRequest shape;                         ///< unless mesh_file is given
+    std::optional<std::filesystem::path> mesh_file; ///< absolute; instead of shape
+    std::optional<double> mesh_radius;          ///< rescales a mesh file to this r0; empty: taken as it is
+    std::optional<int> mesh_triangles;          ///< resamples a mesh file; empty: taken as it is
+    double radius = 1;                          ///< r0 = (3V/4π)^{1/3} of a shape
+    Vector3 axis{ 0, 0, 1 };                    ///< where the shape's own z axis points to
+    std::optional<std::array<double, 4>> rotation; ///< axis x, y, z, angle in degrees; instead of `axis`
+    Vector3 center{ 0, 0, 0 };                  ///< the volume's centroid at the start (shapes only)
+  } vesicle;
+
+  struct Membrane
+  {
+    std::optional<double> bending_rigidity; ///< EB; empty: no bending
+    bool incompressible = true;             ///< false: no tension
+  } membrane;
+
+  struct Fluid
+  {
+    double viscosity = 1; ///< μ, the same inside and outside
+  } fluid;
+
+  struct Flow
+  {
+    enum class Kind
+    {
+      uniform,   ///< u = velocity
+      shear,     ///< u = rate z e_x
+      planar_extension,       ///< u = rate (x e_x − z e_z)
+      axisymmetric_extension, ///< u = rate (z e_z − x/2 e_x − y/2 e_y)
+      poiseuille ///< u = speed (1 − d²/radius²) axis, d the distance from the line through center along axis
+    };
+    Kind kind = Kind::shear;
+    double rate = 0;               ///< shear and extensions
+    Vector3 velocity{ 0, 0, 0 };   ///< uniform
+    double speed = 0;              ///< poiseuille, on the axis (the scene's `velocity`)
+    double radius = 1;             ///< poiseuille
+    Vector3 axis{ 1, 0, 0 };       ///< poiseuille, unit
+    Vector3 center{ 0, 0, 0 };     ///< poiseuille
+  };
+  std::optional<Flow> flow; ///< empty: fluid at rest
+
+  struct Gravity
+  {
+    std::optional<double> bond_number;   ///< Bo = Δρ g r0⁴ / EB
+    double density_difference = 0;       ///< Δρ (outside − inside: > 0 rises), with `acceleration`
+    double acceleration = 0;             ///< g
+  };
+  std::optional<Gravity> gravity; ///< empty: no buoyancy
+
+  struct Time
+  {
+    std::optional<double> end;      ///< empty: until steady
+    double output_every = 0;        ///< hit exactly; 0: only start and end
+    std::optional<double> step;     ///< empty: adaptive
+    double tolerance = 1e-3;        ///< position error a step, in r0
+  } time;
+
+  enum class Preset { paper, fast, balanced, accurate };
+  enum class Basis { linear, loop };
+  enum class Bending { cotan, fit, variational };
+  enum class Integrator { imex_midpoint, imex_euler };
+  enum class MeshMotion { equidistribute, material };
+  enum class Operator { automatic, dense, direct, tree };
+  enum class Precision { double_precision, single_precision };
+  enum class Scheme
+  {
+    paper, ///< loads, tension and projector as printed (misprints corrected)
+    robust ///< Galerkin loads, adjoint tension, volume row (numerics of the README)
+  };
+  struct Accuracy
+  {
+    Preset preset = Preset::balanced;
+    Scheme scheme = Scheme::robust;                  ///< follows from the preset
+    Basis basis = Basis::linear;
+    Bending bending = Bending::cotan;
+    Integrator integrator = Integrator::imex_midpoint;
+    MeshMotion mesh_motion = MeshMotion::equidistribute;
+    Operator stokes_operator = Operator::automatic;  ///< key `operator`
+    int quadrature = 3;                              ///< points a triangle of the regular rule: 1, 3, 6 or 12
+    double linear_tolerance = 1e-10;                 ///< relative residual of the linear solves
+    Precision precision = Precision::double_precision;
+  } accuracy;
+  /// The settings that a preset stands for.
+  static Accuracy preset(Preset preset);
+
+  struct Movie
+  {
+    std::string color = "Mean_Curvature";
+    std::optional<std::array<double, 2>> range; ///< empty: of the whole series
+    std::array<int, 2> size{ 1280, 720 };
+    std::string view = "auto"; ///< auto, x, y, z (looking along −axis), or isometric
+    bool arrows = false;       ///< velocity arrows
+    bool edges = false;        ///< mesh edges
+  } movie;
+
+  struct Output
+  {
+    std::vector<std::string> fields; ///< point arrays to write; empty: all
+    std::optional<std::filesystem::path> directory;
+  } output;
+};
+
+}
