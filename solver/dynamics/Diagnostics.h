@@ -1,6 +1,6 @@
 #pragma once
-// What is reported of each accepted step: one row of the CSV and of the HDF5 series, in the units of
-// the scene.
+// What is reported of each accepted step: one row of the CSV and of the HDF5 series, in the units
+// of the scene.
 
 #include <array>
 #include <optional>
@@ -15,20 +15,21 @@ struct Diagnostics
 {
   double step = 0, time = 0, dt = 0;
   double area = 0, volume = 0;
-  double area_drift = 0, volume_drift = 0;           ///< relative to the target, after the projection
-  double area_correction = 0, volume_correction = 0; ///< removed by projections so far, relative, summed absolutely
-  double divergence = 0;                             ///< max |∇_s·u| r0/U0
+  double area_drift = 0, volume_drift = 0; ///< relative to the target, after the projection
+  double area_correction = 0,
+         volume_correction = 0; ///< removed by projections so far, relative, summed absolutely
+  double divergence = 0;        ///< max |∇_s·u| r0/U0
   double power_in = 0, dissipation = 0;
   double reduced_volume = 0;
-  double bending_energy = 0, energy_over_8pi = 0;    ///< the latter E/8πEB
+  double bending_energy = 0, energy_over_8pi = 0; ///< the latter E/8πEB
   double tension_min = 0, tension_max = 0;
-  std::array<double, 3> centroid{};                  ///< of the enclosed volume
-  std::array<double, 3> velocity{};                  ///< of that centroid
-  std::optional<double> inclination_deg;             ///< long axis on x–z, to +x, in (−90, 90]
-  std::optional<double> tilt_deg;                    ///< long axis to z, 0 to 90
-  std::array<double, 3> semi_axes{};                 ///< descending, ellipsoid of equal volume inertia
-  double taylor_deformation = 0;                     ///< (a1 − a3)/(a1 + a3)
-  double tank_treading_frequency = 0;                ///< angular
+  std::array<double, 3> centroid{};      ///< of the enclosed volume
+  std::array<double, 3> velocity{};      ///< of that centroid
+  std::optional<double> inclination_deg; ///< long axis on x–z, to +x, in (−90, 90]
+  std::optional<double> tilt_deg;        ///< long axis to z, 0 to 90
+  std::array<double, 3> semi_axes{};     ///< descending, ellipsoid of equal volume inertia
+  double taylor_deformation = 0;         ///< (a1 − a3)/(a1 + a3)
+  double tank_treading_frequency = 0;    ///< angular
   double min_angle_deg = 0, edge_ratio = 0;
   double iterations = 0, rejected = 0;
 

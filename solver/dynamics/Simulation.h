@@ -45,7 +45,8 @@ public:
   /// Point fields of a state in the scene's units, by the names of the output contract
   /// (Mean_Curvature, Gauss_Curvature, Laplacian_Mean_Curvature, Normals, Bending_Force, Tension,
   /// Tension_Force, Membrane_Force, Velocity, Surface_Divergence); #vertices rows, 1 or 3 columns.
-  /// Only what the scene has: no Tension without incompressibility, no Bending_Force without bending.
+  /// Only what the scene has: no Tension without incompressibility, no Bending_Force without
+  /// bending.
   std::map<std::string, Eigen::MatrixXd> fields(const State& state) const;
 
 private:

@@ -1,6 +1,6 @@
 #pragma once
-// Start shapes: triangulations of a sphere, ellipsoids, the discocyte and perturbed spheres, of good
-// quality, with the reduced volume that was asked for on the discrete mesh.
+// Start shapes: triangulations of a sphere, ellipsoids, the discocyte and perturbed spheres, of
+// good quality, with the reduced volume that was asked for on the discrete mesh.
 
 #include "solver/mesh/TriangleMesh.h"
 
@@ -32,23 +32,24 @@ struct ShapeRequest
     perturbed  ///< sphere with `modes`
   };
   Kind kind = Kind::sphere;
-  int triangles = 1280;                    ///< the nearest that the mesh family has
-  std::optional<double> edge_length;       ///< instead of triangles: mean edge, in units of the radius
-  std::optional<double> reduced_volume;    ///< of the discrete mesh, to 1e-6
-  std::array<double, 3> semi_axes{1, 1, 1}; ///< ellipsoid; with reduced_volume raised to a common power until it holds
-  std::vector<ShapeMode> modes;            ///< perturbed
+  int triangles = 1280;                 ///< the nearest that the mesh family has
+  std::optional<double> edge_length;    ///< instead of triangles: mean edge, in units of the radius
+  std::optional<double> reduced_volume; ///< of the discrete mesh, to 1e-6
+  /// Of an ellipsoid; with reduced_volume raised to a common power until it holds.
+  std::array<double, 3> semi_axes{ 1, 1, 1 };
+  std::vector<ShapeMode> modes; ///< of a perturbed sphere
 };
 
 /// The mesh, with its discrete volume equal to that of the unit sphere (r0 = 1) and its volume
-/// centroid at the origin. Throws InputError for what can't be (v outside the family's range, too few
-/// triangles, negative axes, a perturbed radius that isn't positive …).
+/// centroid at the origin. Throws InputError for what can't be (v outside the family's range, too
+/// few triangles, negative axes, a perturbed radius that isn't positive …).
 TriangleMesh make_shape(const ShapeRequest& request);
 
 ShapeRequest::Kind shape_kind(const std::string& name); ///< throws InputError listing what is known
 std::string shape_name(ShapeRequest::Kind kind);
 
-/// A sphere of radius 1 with triangles of nearly equal size: the icosahedron's faces cut in n² (class
-/// I, n ≥ 1) and projected: 20 n² triangles, 10 n² + 2 vertices.
+/// A sphere of radius 1 with triangles of nearly equal size: the icosahedron's faces cut in n²
+/// (class I, n ≥ 1) and projected: 20 n² triangles, 10 n² + 2 vertices.
 TriangleMesh geodesic_sphere(int n);
 /// The n for which 20 n² is nearest to `triangles`.
 int geodesic_frequency(int triangles);

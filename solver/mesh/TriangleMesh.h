@@ -1,7 +1,9 @@
 #pragma once
-// A triangle mesh: points and the triangles between them, and what follows from the triangles alone.
+// A triangle mesh: points and the triangles between them, and what follows from the triangles
+// alone.
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <array>
 #include <string>
@@ -44,26 +46,27 @@ struct Connectivity
   AdjacencyList vertex_triangles;
   /// Neighbours of each vertex along edges, ascending.
   AdjacencyList vertex_neighbours;
-  /// Number of triangles at each edge: 1 on an open border, 2 inside, more where it isn't a manifold.
+  /// Number of triangles at each edge: 1 on an open border, 2 inside, more where it isn't a
+  /// manifold.
   std::vector<int> edge_triangles;
 };
 
 /// What a mesh is, for reports and for the checks below.
 struct Topology
 {
-  bool closed = false;       ///< every edge has two triangles or more
-  bool manifold = false;     ///< no edge has more than two; the triangles at a vertex form one fan
-  bool oriented = false;     ///< neighbouring triangles agree on the orientation
-  int components = 0;        ///< edge-connected, of vertices that a triangle uses
-  int genus = 0;             ///< of a closed, manifold mesh, summed over the components; otherwise 0
+  bool closed = false;   ///< every edge has two triangles or more
+  bool manifold = false; ///< no edge has more than two; the triangles at a vertex form one fan
+  bool oriented = false; ///< neighbouring triangles agree on the orientation
+  int components = 0;    ///< edge-connected, of vertices that a triangle uses
+  int genus = 0;         ///< of a closed, manifold mesh, summed over the components; otherwise 0
 };
 Topology topology(const TriangleMesh& mesh);
 
 /// Makes `mesh` fit for dynamics: closed, manifold, consistently oriented, one component, genus 0,
 /// no degenerate triangle, no duplicate or unused point, finite coordinates. A consistently inward
-/// mesh is flipped, and inconsistent orientations of an orientable mesh are mended; the returned text
-/// then says so (empty: nothing was changed). Throws InputError naming the place (vertex, triangle or
-/// edge with its coordinates) and a remedy, prefixed with `name`.
+/// mesh is flipped, and inconsistent orientations of an orientable mesh are mended; the returned
+/// text then says so (empty: nothing was changed). Throws InputError naming the place (vertex,
+/// triangle or edge with its coordinates) and a remedy, prefixed with `name`.
 std::string prepare_for_dynamics(TriangleMesh& mesh, const std::string& name);
 
 /// The structural part that any use needs: indices in range, finite coordinates. Throws InputError.

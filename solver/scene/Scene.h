@@ -20,14 +20,15 @@ struct Scene
 
   struct Vesicle
   {
-    ShapeRequest shape;                         ///< unless mesh_file is given
+    ShapeRequest shape;                             ///< unless mesh_file is given
     std::optional<std::filesystem::path> mesh_file; ///< absolute; instead of shape
-    std::optional<double> mesh_radius;          ///< rescales a mesh file to this r0; empty: taken as it is
-    std::optional<int> mesh_triangles;          ///< resamples a mesh file; empty: taken as it is
-    double radius = 1;                          ///< r0 = (3V/4π)^{1/3} of a shape
-    Vector3 axis{ 0, 0, 1 };                    ///< where the shape's own z axis points to
-    std::optional<std::array<double, 4>> rotation; ///< axis x, y, z, angle in degrees; instead of `axis`
-    Vector3 center{ 0, 0, 0 };                  ///< the volume's centroid at the start (shapes only)
+    std::optional<double> mesh_radius; ///< rescales a mesh file to this r0; empty: taken as it is
+    std::optional<int> mesh_triangles; ///< resamples a mesh file; empty: taken as it is
+    double radius = 1;                 ///< r0 = (3V/4π)^{1/3} of a shape
+    Vector3 axis{ 0, 0, 1 };           ///< unit, where the shape's own z axis points to
+    /// Unit axis x, y, z and angle in degrees; instead of `axis`, or to turn a mesh file.
+    std::optional<std::array<double, 4>> rotation;
+    Vector3 center{ 0, 0, 0 }; ///< the volume's centroid at the start (shapes only)
   } vesicle;
 
   struct Membrane
@@ -45,45 +46,78 @@ struct Scene
   {
     enum class Kind
     {
-      uniform,   ///< u = velocity
-      shear,     ///< u = rate z e_x
+      uniform,                ///< u = velocity
+      shear,                  ///< u = rate z e_x
       planar_extension,       ///< u = rate (x e_x − z e_z)
       axisymmetric_extension, ///< u = rate (z e_z − x/2 e_x − y/2 e_y)
-      poiseuille ///< u = speed (1 − d²/radius²) axis, d the distance from the line through center along axis
+      poiseuille ///< u = speed (1 − d²/radius²) axis, d the distance to the axis through center
     };
     Kind kind = Kind::shear;
-    double rate = 0;               ///< shear and extensions
-    Vector3 velocity{ 0, 0, 0 };   ///< uniform
-    double speed = 0;              ///< poiseuille, on the axis (the scene's `velocity`)
-    double radius = 1;             ///< poiseuille
-    Vector3 axis{ 1, 0, 0 };       ///< poiseuille, unit
-    Vector3 center{ 0, 0, 0 };     ///< poiseuille
+    double rate = 0;             ///< shear and extensions
+    Vector3 velocity{ 0, 0, 0 }; ///< uniform
+    double speed = 0;            ///< poiseuille, on the axis (the scene's `velocity`)
+    double radius = 1;           ///< poiseuille
+    Vector3 axis{ 1, 0, 0 };     ///< poiseuille, unit
+    Vector3 center{ 0, 0, 0 };   ///< poiseuille
   };
   std::optional<Flow> flow; ///< empty: fluid at rest
 
   struct Gravity
   {
-    std::optional<double> bond_number;   ///< Bo = Δρ g r0⁴ / EB
-    double density_difference = 0;       ///< Δρ (outside − inside: > 0 rises), with `acceleration`
-    double acceleration = 0;             ///< g
+    std::optional<double> bond_number; ///< Bo = Δρ g r0⁴ / EB
+    double density_difference = 0; ///< Δρ (outside − inside: > 0 rises), with `acceleration`
+    double acceleration = 0;       ///< g
   };
   std::optional<Gravity> gravity; ///< empty: no buoyancy
 
   struct Time
   {
-    std::optional<double> end;      ///< empty: until steady
-    double output_every = 0;        ///< hit exactly; 0: only start and end
-    std::optional<double> step;     ///< empty: adaptive
-    double tolerance = 1e-3;        ///< position error a step, in r0
+    std::optional<double> end;  ///< empty: until steady
+    double output_every = 0;    ///< hit exactly; 0 (not in files): only start and end
+    std::optional<double> step; ///< empty: adaptive
+    double tolerance = 1e-3;    ///< position error a step, in r0
   } time;
 
-  enum class Preset { paper, fast, balanced, accurate };
-  enum class Basis { linear, loop };
-  enum class Bending { cotan, fit, variational };
-  enum class Integrator { imex_midpoint, imex_euler };
-  enum class MeshMotion { equidistribute, material };
-  enum class Operator { automatic, dense, direct, tree };
-  enum class Precision { double_precision, single_precision };
+  enum class Preset
+  {
+    paper,
+    fast,
+    balanced,
+    accurate
+  };
+  enum class Basis
+  {
+    linear,
+    loop
+  };
+  enum class Bending
+  {
+    cotan,
+    fit,
+    variational
+  };
+  enum class Integrator
+  {
+    imex_midpoint,
+    imex_euler
+  };
+  enum class MeshMotion
+  {
+    equidistribute,
+    material
+  };
+  enum class Operator
+  {
+    automatic,
+    dense,
+    direct,
+    tree
+  };
+  enum class Precision
+  {
+    double_precision,
+    single_precision
+  };
   enum class Scheme
   {
     paper, ///< loads, tension and projector as printed (misprints corrected)
@@ -92,18 +126,20 @@ struct Scene
   struct Accuracy
   {
     Preset preset = Preset::balanced;
-    Scheme scheme = Scheme::robust;                  ///< follows from the preset
+    Scheme scheme = Scheme::robust; ///< follows from the preset
     Basis basis = Basis::linear;
     Bending bending = Bending::cotan;
     Integrator integrator = Integrator::imex_midpoint;
     MeshMotion mesh_motion = MeshMotion::equidistribute;
-    Operator stokes_operator = Operator::automatic;  ///< key `operator`
-    int quadrature = 3;                              ///< points a triangle of the regular rule: 1, 3, 6 or 12
-    double linear_tolerance = 1e-10;                 ///< relative residual of the linear solves
+    Operator stokes_operator = Operator::automatic; ///< key `operator`
+    int quadrature = 3;              ///< points a triangle of the regular rule: 1, 3, 6 or 12
+    double linear_tolerance = 1e-10; ///< relative residual of the linear solves
     Precision precision = Precision::double_precision;
   } accuracy;
   /// The settings that a preset stands for.
   static Accuracy preset(Preset preset);
+  /// The time.tolerance of a preset, for scenes that don't give one.
+  static double preset_tolerance(Preset preset);
 
   struct Movie
   {

@@ -1,12 +1,29 @@
 #pragma once
 // The HDF5 run file: checkpoint and scalar time series of a run.
-//   /scene           string: the scene as TOML, every setting spelled out
+//   /scene           text: the scene as TOML, every setting spelled out
 //   /triangles       int32  #triangles × 3
-//   /state/…         the last accepted State, one dataset a field
-//   /series/<name>   double, one entry an accepted step, chunked and extendable; missing values hold
-//                    the dataset's attribute `missing_value`
-//   attributes of /  vesicle_version, length_scale, time_scale, energy_scale, viscosity
-// Every append leaves a file from which a run can go on, also if the program is killed in between.
+//   /series/<column> double, one entry an accepted step; missing values hold the dataset's
+//   attribute
+//                    `missing_value` (the lowest double). The group's attribute `columns` lists the
+//                    columns in order
+//   /committed       int64: how many rows of the series count. While a run is under way the
+//   datasets
+//                    are longer (room to come, filled with missing_value); closing the file cuts
+//                    them
+//   /state/0, /state/1   one dataset a field of State. The last accepted state is in
+//   /state/<committed
+//                    modulo 2>, the other holds an older one
+//   attributes of /  format, layout_version, vesicle_version, length_scale, time_scale,
+//   energy_scale,
+//                    viscosity
+// All datasets are plain and contiguous, without chunks, filters or NaN.
+//
+// Every append leaves a file from which a run can go on, also if the program is killed in the
+// middle of it. An append changes numbers only and never the structure of the file: it writes the
+// new row and the older of the two states, then /committed. When there is no room for another row
+// (or the state has another size) a whole new file with twice the room is written beside the old
+// one, as <file>.part, and takes its place by a rename. So a full disk doesn't hurt what has been
+// saved either.
 
 #include "solver/state/State.h"
 
@@ -27,24 +44,28 @@ public:
     std::string scene;
     Triangles triangles;
     double length_scale = 1, time_scale = 1, energy_scale = 1, viscosity = 1;
-    std::vector<std::string> columns; ///< names of the scalar series
+    std::vector<std::string> columns; ///< names of the scalar series, at least one, all different
   };
 
   /// Creates `file` (which must not exist). Throws IoError.
   static RunFile create(const std::filesystem::path& file, const Header& header);
-  /// Opens an existing file to go on with it. Throws IoError (missing, locked, not a run file).
+  /// Opens an existing file to go on with it, and keeps others from doing the same. Throws IoError
+  /// (missing, not writable, locked, not a run file).
   static RunFile open(const std::filesystem::path& file);
+  /// Cuts the series to their length and closes the file.
   ~RunFile();
   RunFile(RunFile&&) noexcept;
   RunFile& operator=(RunFile&&) noexcept;
 
   const Header& header() const;
-  /// The last checkpointed state, bit for bit.
+  /// The last checkpointed state, bit for bit. Throws IoError if nothing was appended yet.
   State state() const;
   /// The scalar series so far: one row an accepted step, values in the order of header().columns.
   std::vector<std::vector<std::optional<double>>> series() const;
 
   /// Appends one row to the series (values in the order of the columns) and replaces the state.
+  /// Throws NumericalError if a value or an array of the state isn't finite and IoError if the file
+  /// can't be written; what was appended before is then still there.
   void append(const State& state, const std::vector<std::optional<double>>& row);
 
 private:

@@ -1,0 +1,207 @@
+#include "render/Chart.h"
+
+#include "render/PngFile.h"
+#include "render/RenderBackend.h"
+#include "solver/Errors.h"
+
+#include "vtkAxis.h"
+#include "vtkBrush.h"
+#include "vtkChartLegend.h"
+#include "vtkChartXY.h"
+#include "vtkContextActor.h"
+#include "vtkContextScene.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPen.h"
+#include "vtkPlotLine.h"
+#include "vtkPlotPoints.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkTable.h"
+#include "vtkTextProperty.h"
+#include "vtkWindowToImageFilter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace vesicle
+{
+namespace
+{
+
+/// Font sizes in pixels of a chart this high; smaller charts have smaller letters.
+constexpr double design_height = 720;
+constexpr double least_scale = 0.62;
+constexpr int title_font = 28;
+constexpr int label_font = 24;
+constexpr int tick_font = 20;
+constexpr double border_width = 14;
+constexpr double dark = 0.15;
+
+/// Okabe and Ito's colours, told apart by colour-blind readers too.
+constexpr std::array<std::array<int, 3>, 7> palette{ { { 0, 114, 178 }, { 213, 94, 0 },
+  { 0, 158, 115 }, { 204, 121, 167 }, { 86, 180, 233 }, { 230, 159, 0 }, { 60, 60, 60 } } };
+
+bool drawable(const ChartSpec& chart, double x, double y)
+{
+  return std::isfinite(x) && std::isfinite(y) && (!chart.log_x || x > 0) && (!chart.log_y || y > 0);
+}
+
+vtkSmartPointer<vtkTable> table_of(const ChartSpec& chart, const ChartLine& line)
+{
+  if (line.x.size() != line.y.size())
+  {
+    throw InputError(fmt::format("chart \"{}\": line \"{}\" has {} abscissas and {} ordinates",
+      chart.title, line.label, line.x.size(), line.y.size()));
+  }
+  vtkNew<vtkDoubleArray> x;
+  vtkNew<vtkDoubleArray> y;
+  x->SetName("x");
+  y->SetName(line.label.empty() ? "y" : line.label.c_str());
+  for (std::size_t i = 0; i < line.x.size(); ++i)
+  {
+    if (drawable(chart, line.x[i], line.y[i]))
+    {
+      x->InsertNextValue(line.x[i]);
+      y->InsertNextValue(line.y[i]);
+    }
+  }
+  auto table = vtkSmartPointer<vtkTable>::New();
+  table->AddColumn(x);
+  table->AddColumn(y);
+  return table;
+}
+
+void add_line(vtkChartXY* chart, vtkTable* table, const ChartLine& line,
+  const std::array<int, 3>& color, double scale)
+{
+  const bool points = line.style == ChartLine::Style::points;
+  vtkPlot* plot = chart->AddPlot(points ? vtkChart::POINTS : vtkChart::LINE);
+  plot->SetInputData(table, 0, 1);
+  plot->SetColor(color[0], color[1], color[2], 255);
+  plot->SetWidth(static_cast<float>((points ? 6 : 3) * scale));
+  if (auto* markers = vtkPlotPoints::SafeDownCast(plot))
+  {
+    markers->SetMarkerStyle(points ? vtkPlotPoints::CIRCLE : vtkPlotPoints::NONE);
+  }
+  if (line.style == ChartLine::Style::dashed)
+  {
+    plot->GetPen()->SetLineType(vtkPen::DASH_LINE);
+  }
+  if (line.label.empty())
+  {
+    plot->SetLegendVisibility(false);
+  }
+}
+
+void set_font(vtkTextProperty* text, double size)
+{
+  text->SetFontFamilyToArial();
+  text->SetFontSize(std::max(8, static_cast<int>(std::lround(size))));
+  text->SetColor(dark, dark, dark);
+  text->BoldOff();
+  text->ItalicOff();
+}
+
+void set_axis(vtkAxis* axis, const std::string& label, bool logarithmic, double scale)
+{
+  axis->SetTitle(label);
+  set_font(axis->GetTitleProperties(), label_font * scale);
+  set_font(axis->GetLabelProperties(), tick_font * scale);
+  if (logarithmic)
+  {
+    axis->SetRange(1, 10); // VTK ignores the wish while the range touches zero
+  }
+  axis->SetLogScale(logarithmic);
+  axis->GetGridPen()->SetColorF(0.88, 0.88, 0.88);
+  axis->GetPen()->SetColorF(dark, dark, dark);
+  axis->GetPen()->SetWidth(static_cast<float>(1.5 * scale));
+}
+
+vtkSmartPointer<vtkChartXY> make_chart(const ChartSpec& spec, double scale)
+{
+  auto chart = vtkSmartPointer<vtkChartXY>::New();
+  chart->SetTitle(spec.title);
+  set_font(chart->GetTitleProperties(), title_font * scale);
+  chart->GetTitleProperties()->BoldOn();
+  set_axis(chart->GetAxis(vtkAxis::BOTTOM), spec.x_label, spec.log_x, scale);
+  set_axis(chart->GetAxis(vtkAxis::LEFT), spec.y_label, spec.log_y, scale);
+  bool legend = false;
+  vtkIdType values = 0;
+  for (std::size_t i = 0; i < spec.lines.size(); ++i)
+  {
+    const auto table = table_of(spec, spec.lines[i]);
+    if (table->GetNumberOfRows() > 0)
+    {
+      add_line(chart, table, spec.lines[i], palette[i % palette.size()], scale);
+      legend = legend || !spec.lines[i].label.empty();
+    }
+    values += table->GetNumberOfRows();
+  }
+  if (values == 0)
+  {
+    throw InputError(fmt::format("chart \"{}\" has nothing to draw", spec.title));
+  }
+  chart->SetShowLegend(legend);
+  // Outside the axes, where it hides nothing.
+  chart->GetLegend()->SetInline(false);
+  chart->GetLegend()->SetHorizontalAlignment(vtkChartLegend::RIGHT);
+  chart->GetLegend()->GetPen()->SetLineType(vtkPen::NO_PEN);
+  set_font(chart->GetLegend()->GetLabelProperties(), tick_font * scale);
+  return chart;
+}
+
+}
+
+void write_chart(const std::filesystem::path& file, const ChartSpec& chart, std::array<int, 2> size)
+{
+  write_charts(file, { chart }, 1, size);
+}
+
+void write_charts(const std::filesystem::path& file, const std::vector<ChartSpec>& charts,
+  int columns, std::array<int, 2> size)
+{
+  if (charts.empty() || columns < 1)
+  {
+    throw InputError("there is no chart to write to " + file.string());
+  }
+  render_backend();
+  const int rows = (static_cast<int>(charts.size()) + columns - 1) / columns;
+  const double scale = std::max(least_scale, size[1] / design_height / rows);
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(8); // smooth lines; a chart is drawn once
+  window->SetSize(size[0], size[1]);
+  for (int i = 0; i < static_cast<int>(charts.size()); ++i)
+  {
+    const int column = i % columns;
+    const int row = rows - 1 - i / columns; // VTK counts from below
+    vtkNew<vtkRenderer> renderer;
+    renderer->SetBackground(1, 1, 1);
+    renderer->SetViewport(static_cast<double>(column) / columns, static_cast<double>(row) / rows,
+      (column + 1.) / columns, (row + 1.) / rows);
+    vtkNew<vtkContextActor> canvas;
+    const auto chart = make_chart(charts[static_cast<std::size_t>(i)], scale);
+    const auto border = static_cast<float>(border_width * scale);
+    chart->SetAutoSize(false);
+    chart->SetSize(vtkRectf(border, border, static_cast<float>(size[0]) / columns - 2 * border,
+      static_cast<float>(size[1]) / rows - 2 * border));
+    canvas->GetScene()->AddItem(chart);
+    canvas->GetScene()->SetRenderer(renderer);
+    renderer->AddActor(canvas);
+    window->AddRenderer(renderer);
+  }
+  window->Render();
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(window);
+  grab->ReadFrontBufferOff();
+  grab->ShouldRerenderOff();
+  grab->SetInputBufferTypeToRGB();
+  grab->Update();
+  write_png(file, grab->GetOutput());
+}
+
+}

@@ -1,0 +1,50 @@
+#pragma once
+// A movie: numbered pictures with one zoom and one colour range throughout, and an MP4 of them.
+
+#include "render/Picture.h"
+
+#include "vtkSmartPointer.h"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace vesicle
+{
+
+/// The surface of frame i; asked for twice, in order (once to measure, once to draw).
+using FrameSource = std::function<vtkSmartPointer<vtkPolyData>(int)>;
+
+struct MovieSettings
+{
+  PictureSettings picture;         ///< without a range: that of the whole movie, but for outliers
+  std::filesystem::path directory; ///< of the pictures frame_000000.png, …; made where needed
+  std::optional<std::filesystem::path> mp4; ///< the film; empty: pictures only
+  /// Told after each frame how many of all are drawn; may throw to stop.
+  std::function<void(int done, int total)> progress;
+};
+
+struct MovieReport
+{
+  int frames = 0;
+  Range color_range{};
+  Framing framing;
+  std::optional<std::filesystem::path> mp4; ///< empty: none was asked for, or see note
+  double frames_per_second = 0;             ///< of the film
+  std::string note;                         ///< why there is no film
+};
+
+/// Draws one frame for each time. Pictures of an earlier movie in that folder are removed. Throws
+/// InputError naming the frame that can't be drawn, IoError naming the file that can't be written.
+MovieReport make_movie(
+  const FrameSource& frames, const std::vector<double>& times, const MovieSettings& settings);
+
+/// The same from files (see read_frame); time labels where every file holds its time.
+MovieReport make_movie(
+  const std::vector<std::filesystem::path>& files, const MovieSettings& settings);
+
+}

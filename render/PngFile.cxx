@@ -1,0 +1,44 @@
+#include "render/PngFile.h"
+
+#include "solver/Errors.h"
+
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPNGWriter.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+namespace vesicle
+{
+
+void write_png(const std::filesystem::path& file, vtkImageData* image)
+{
+  constexpr int zlib_level = 3;
+  // Through memory: VTK's writer doesn't notice a full disk.
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(image);
+  writer->SetCompressionLevel(zlib_level);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* png = writer->GetResult();
+  if (!png || png->GetNumberOfValues() == 0)
+  {
+    throw IoError(fmt::format("can't encode the picture for {}", file.string()));
+  }
+  errno = 0;
+  std::ofstream out(file, std::ios::binary | std::ios::trunc);
+  out.write(reinterpret_cast<const char*>(png->GetPointer(0)), png->GetNumberOfValues());
+  out.close();
+  if (!out)
+  {
+    throw IoError(fmt::format("can't write {}: {}", file.string(),
+      errno ? std::strerror(errno) : "the file could not be written in full"));
+  }
+}
+
+}

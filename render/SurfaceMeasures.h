@@ -1,0 +1,30 @@
+#pragma once
+// What a picture needs to know of a triangulated surface.
+
+#include <array>
+#include <string>
+
+class vtkDataArray;
+class vtkPolyData;
+
+namespace vesicle
+{
+
+using Point3 = std::array<double, 3>;
+
+/// Centroid of the enclosed volume; of the area where the surface is open or encloses nothing.
+/// Throws InputError when there is no triangle or a point is not finite.
+Point3 surface_centroid(vtkPolyData* surface);
+
+/// Velocity of the enclosed volume's centroid from the points' velocities (3 components):
+/// (1/V) ∮ (x − x_c) (u·n) dA; the area's mean velocity where nothing is enclosed.
+Point3 centroid_velocity(vtkPolyData* surface, vtkDataArray* velocity);
+
+/// The point array of that name. Throws InputError, listing the arrays that there are, when it is
+/// missing, has neither 1 nor 3 components, or holds a value that is not finite.
+vtkDataArray* finite_point_array(vtkPolyData* surface, const std::string& name);
+
+/// A component's value, or the magnitude of a vector.
+double scalar_value(vtkDataArray* array, long long point);
+
+}

@@ -1,0 +1,28 @@
+#pragma once
+// GMRES with right preconditioning (Saad & Schultz, SIAM J. Sci. Stat. Comput. 7 (1986) 856),
+// without restarts: with the preconditioners used here it ends after a few iterations. Sums are
+// sequential, so results do not depend on the number of threads. (Eigen's GMRES preconditions from
+// the left and measures the preconditioned residual against that of the first guess; here the true
+// residual counts.)
+
+#include <Eigen/Core>
+
+#include <functional>
+
+namespace vesicle
+{
+
+using LinearMap = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
+
+struct GmresResult
+{
+  Eigen::VectorXd solution;
+  int iterations = 0;
+  double residual = 0; ///< ‖b − A x‖/‖b‖ as the recurrence estimates it
+};
+
+/// Solves A x = b to the relative residual `tolerance` or until `max_iterations`.
+GmresResult gmres(const LinearMap& A, const LinearMap& preconditioner, const Eigen::VectorXd& b,
+  double tolerance, int max_iterations);
+
+}

@@ -1,0 +1,23 @@
+#pragma once
+// What a finite time step and the motion of nodes along flat elements leave of area and volume
+// errors is taken out after the step.
+
+#include "solver/dynamics/Model.h"
+
+namespace vesicle
+{
+
+struct ProjectionResult
+{
+  double area_removed = 0;   ///< |A − A0|/A0 before
+  double volume_removed = 0; ///< |V − V0|/V0 before
+};
+
+/// Moves the nodes by α (∂A/∂x)_k/A_k + β (∂V/∂x)_k/A_k such that area and volume have their
+/// targets, both at once (Newton for the two numbers): shifting along n alone for the volume would
+/// spoil the area. With `volume_only` (a sphere, where the two directions coincide, or no
+/// incompressibility) α = 0.
+ProjectionResult project_area_and_volume(
+  Points& points, const BasisTable& table, double area, double volume, bool volume_only);
+
+}

@@ -1,0 +1,58 @@
+#include "solver/dynamics/StepControl.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vesicle
+{
+
+namespace
+{
+
+// Rounding must not leave a last step of length 1e-16.
+constexpr double step_slack = 1e-9;
+
+}
+
+std::string reason_to_reject(const StepReport& r, const StepLimits& limits)
+{
+  if (!r.finite)
+    return "positions are not finite";
+  if (!(r.error <= limits.reject_error * limits.tolerance))
+    return fmt::format("position error {:.1e} r0 over {} times the tolerance {:.1e}", r.error,
+      limits.reject_error, limits.tolerance);
+  if (!(r.displacement <= limits.displacement))
+    return fmt::format(
+      "a node moves by {:.2f} edges, over {}", r.displacement, limits.displacement);
+  if (!(r.area_change <= limits.geometry_change))
+    return fmt::format(
+      "area changes by {:.1e}, over {:.1e}", r.area_change, limits.geometry_change);
+  if (!(r.volume_change <= limits.geometry_change))
+    return fmt::format(
+      "volume changes by {:.1e}, over {:.1e}", r.volume_change, limits.geometry_change);
+  if (!(r.energy_rise <= limits.energy_rise))
+    return fmt::format("bending energy rises by {:.1e} of it in a fluid at rest, over {:.1e}",
+      r.energy_rise, limits.energy_rise);
+  return {};
+}
+
+double wanted_step(double dt, const StepReport& report, const StepLimits& limits)
+{
+  double wanted =
+    report.error > 0 ? limits.safety * std::sqrt(limits.tolerance / report.error) : limits.growth;
+  if (report.energy_rise > 0) // a rise is a rate times dt
+    wanted = std::min(wanted, limits.safety * limits.energy_rise / report.energy_rise);
+  return dt * std::clamp(wanted, limits.shrink, limits.growth);
+}
+
+double step_towards(double dt, double time, double target)
+{
+  const double left = target - time;
+  if (left <= dt * (1 + step_slack))
+    return left;
+  return left < 2 * dt ? left / 2 : dt;
+}
+
+}

@@ -1,0 +1,45 @@
+#pragma once
+// When a step is accepted and how long the next one is.
+
+#include <optional>
+#include <string>
+
+namespace vesicle
+{
+
+/// What one attempted step did, all dimensionless.
+struct StepReport
+{
+  bool finite = true;
+  double error = 0; ///< e = dt max|n·(u_mid − u_start)|, a length
+  double displacement =
+    0; ///< largest normal displacement of a node relative to the centroid, in edges
+  double area_change = 0;   ///< |ΔA|/A before the projection
+  double volume_change = 0; ///< |ΔV|/V before the projection
+  double energy_rise = 0;   ///< relative, of the bending energy in a fluid at rest; 0 otherwise
+};
+
+struct StepLimits
+{
+  double tolerance = 1e-3;       ///< of the position error a step, in r0
+  double reject_error = 4;       ///< in tolerances: the estimate is of lower order than the step
+  double displacement = 0.3;     ///< in mean edges: frozen coefficients hold no further
+  double geometry_change = 2e-3; ///< area and volume: the step no longer follows the constraint
+  double energy_rise = 1e-6;     ///< dissipation is the one thing a fluid at rest can do
+  double growth = 1.5;           ///< at most, from one step to the next
+  double shrink = 0.3;           ///< at most
+  double safety = 0.9;
+};
+
+/// Why the step can't be accepted; empty if it can.
+std::string reason_to_reject(const StepReport& report, const StepLimits& limits);
+
+/// The dt that the error asks for after a step dt (the estimate grows as dt²), shorter where the
+/// energy rose.
+double wanted_step(double dt, const StepReport& report, const StepLimits& limits);
+
+/// dt shortened such that `time` + n dt hits `target`: the last two steps before it share what is
+/// left.
+double step_towards(double dt, double time, double target);
+
+}

@@ -1,0 +1,162 @@
+#include "solver/geometry/Surface.h"
+
+#include <vector>
+
+namespace vesicle
+{
+
+namespace
+{
+
+using Row3 = Eigen::RowVector3d;
+
+// Calls visit(row, entry) for every entry of the table.
+template<class Visit>
+void for_each_entry(const BasisTable& table, Visit visit)
+{
+  for (int q = 0; q < table.rows(); ++q)
+    for (int k = table.start[q]; k < table.start[q + 1]; ++k)
+      visit(q, k);
+}
+
+// weight · |a_u × a_v| ∇_s N_k = weight · [∂N_k/∂u (a_v × n) + ∂N_k/∂v (n × a_u)]: the derivative
+// of the row's share of the area with respect to node k.
+struct ScaledGradient
+{
+  Row3 along_u, along_v;
+  ScaledGradient(const BasisTable& table, const SurfacePoints& s, int q)
+  {
+    const Row3 n = s.cross.row(q).normalized();
+    along_u = table.weight[q] * s.tangent_v.row(q).cross(n);
+    along_v = table.weight[q] * n.cross(s.tangent_u.row(q));
+  }
+  Row3 of(const BasisTable& table, int k) const
+  {
+    return table.du[k] * along_u + table.dv[k] * along_v;
+  }
+};
+
+}
+
+SurfacePoints evaluate(const BasisTable& table, const Points& nodes)
+{
+  const int rows = table.rows();
+  SurfacePoints s{ RowVectors::Zero(rows, 3), RowVectors::Zero(rows, 3), RowVectors::Zero(rows, 3),
+    RowVectors(rows, 3), Eigen::VectorXd(rows) };
+  for_each_entry(table,
+    [&](int q, int k)
+    {
+      const auto x = nodes.row(table.node[k]);
+      s.position.row(q) += table.value[k] * x;
+      s.tangent_u.row(q) += table.du[k] * x;
+      s.tangent_v.row(q) += table.dv[k] * x;
+    });
+  for (int q = 0; q < rows; ++q)
+  {
+    s.cross.row(q) = s.tangent_u.row(q).cross(s.tangent_v.row(q));
+    s.area_weight[q] = table.weight[q] * s.cross.row(q).norm();
+  }
+  return s;
+}
+
+double area(const SurfacePoints& surface)
+{
+  return surface.area_weight.sum();
+}
+
+double volume(const BasisTable& table, const SurfacePoints& s)
+{
+  // From a point of the surface, so that a vesicle far from the origin loses no digits.
+  const Row3 origin = s.position.row(0);
+  double sum = 0;
+  for (int q = 0; q < table.rows(); ++q)
+    sum += table.weight[q] * (s.position.row(q) - origin).dot(s.cross.row(q));
+  return sum / 3;
+}
+
+Vector3 centroid(const BasisTable& table, const SurfacePoints& s)
+{
+  const Row3 origin = s.position.row(0);
+  Row3 moment = Row3::Zero();
+  for (int q = 0; q < table.rows(); ++q)
+    moment += table.weight[q] * (s.position.row(q) - origin).squaredNorm() * s.cross.row(q);
+  return (origin + moment / (2 * volume(table, s))).transpose();
+}
+
+Eigen::VectorXd vertex_areas(const BasisTable& table, const SurfacePoints& s)
+{
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(table.nodes);
+  for_each_entry(
+    table, [&](int q, int k) { areas[table.node[k]] += s.area_weight[q] * table.value[k]; });
+  return areas;
+}
+
+SparseMatrix area_rate_matrix(const BasisTable& table, const SurfacePoints& s)
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int q = 0; q < table.rows(); ++q)
+  {
+    const ScaledGradient gradient(table, s, q);
+    for (int k = table.start[q]; k < table.start[q + 1]; ++k)
+      for (int j = table.start[q]; j < table.start[q + 1]; ++j)
+      {
+        const Row3 g = table.value[k] * gradient.of(table, j);
+        for (int c = 0; c < 3; ++c)
+          entries.emplace_back(table.node[k], 3 * table.node[j] + c, g[c]);
+      }
+  }
+  SparseMatrix B(table.nodes, 3 * table.nodes);
+  B.setFromTriplets(entries.begin(), entries.end());
+  return B;
+}
+
+Eigen::VectorXd volume_gradient(const BasisTable& table, const SurfacePoints& s)
+{
+  // V is cubic in the nodes; its exact derivative keeps the tangential parts that cancel only when
+  // the quadrature is exact.
+  const Row3 origin = s.position.row(0);
+  Points gradient = Points::Zero(table.nodes, 3);
+  for_each_entry(table,
+    [&](int q, int k)
+    {
+      const Row3 x = s.position.row(q) - origin;
+      gradient.row(table.node[k]) += table.weight[q] / 3 *
+        (table.value[k] * s.cross.row(q) + table.du[k] * s.tangent_v.row(q).cross(x) +
+          table.dv[k] * x.cross(s.tangent_u.row(q)));
+    });
+  return gradient.reshaped<Eigen::RowMajor>();
+}
+
+Eigen::VectorXd normal_load(
+  const BasisTable& table, const SurfacePoints& s, const Eigen::VectorXd& density)
+{
+  Points load = Points::Zero(table.nodes, 3);
+  for_each_entry(table,
+    [&](int q, int k)
+    { load.row(table.node[k]) += table.weight[q] * table.value[k] * density[q] * s.cross.row(q); });
+  return load.reshaped<Eigen::RowMajor>();
+}
+
+Eigen::Matrix<double, 3, Eigen::Dynamic> centroid_velocity_matrix(
+  const BasisTable& table, const SurfacePoints& s)
+{
+  const Row3 center = centroid(table, s).transpose();
+  Eigen::Matrix<double, 3, Eigen::Dynamic> W =
+    Eigen::Matrix<double, 3, Eigen::Dynamic>::Zero(3, 3 * table.nodes);
+  for_each_entry(table,
+    [&](int q, int k)
+    {
+      W.block<3, 3>(0, 3 * table.node[k]) += table.weight[q] * table.value[k] *
+        (s.position.row(q) - center).transpose() * s.cross.row(q);
+    });
+  return W / volume(table, s);
+}
+
+Points area_weighted_normals(const Eigen::VectorXd& volume_gradient)
+{
+  Points normals = volume_gradient.reshaped<Eigen::RowMajor>(volume_gradient.size() / 3, 3);
+  normals.rowwise().normalize();
+  return normals;
+}
+
+}

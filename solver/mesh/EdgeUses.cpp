@@ -1,0 +1,38 @@
+#include "solver/mesh/EdgeUses.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace vesicle
+{
+
+EdgeUses::EdgeUses(const Triangles& triangles)
+{
+  uses.reserve(3 * triangles.rows());
+  for (int t = 0; t < triangles.rows(); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int from = triangles(t, k);
+      const int to = triangles(t, (k + 1) % 3);
+      if (from != to)
+      {
+        uses.push_back({ std::min(from, to), std::max(from, to), t, from < to });
+      }
+    }
+  }
+  std::sort(uses.begin(), uses.end(),
+    [](const EdgeUse& l, const EdgeUse& r)
+    { return std::tie(l.a, l.b, l.triangle) < std::tie(r.a, r.b, r.triangle); });
+  const int n = static_cast<int>(uses.size());
+  for (int i = 0; i < n; ++i)
+  {
+    if (i == 0 || uses[i].a != uses[i - 1].a || uses[i].b != uses[i - 1].b)
+    {
+      start.push_back(i);
+    }
+  }
+  start.push_back(n);
+}
+
+}

@@ -1,0 +1,56 @@
+#include "solver/mesh/PointHash.h"
+
+#include <cmath>
+
+namespace vesicle
+{
+
+// Cells are two tolerances wide, so that a ball of one tolerance reaches into two cells a
+// direction.
+PointHash::Cell PointHash::cell(const Vector3& point) const
+{
+  return (point / (2 * tolerance)).array().floor().matrix().cast<std::int64_t>();
+}
+
+// Different cells may share a key: find() compares the points themselves.
+std::uint64_t PointHash::key(const Cell& cell)
+{
+  std::uint64_t hash = 0;
+  for (const std::int64_t coordinate : cell)
+  {
+    hash = (hash ^ static_cast<std::uint64_t>(coordinate)) * 0x9E3779B97F4A7C15ULL;
+    hash ^= hash >> 32;
+  }
+  return hash;
+}
+
+void PointHash::insert(const Vector3& point, int id)
+{
+  cells.emplace(key(cell(point)), Entry{ point, id });
+}
+
+int PointHash::find(const Vector3& point) const
+{
+  const Cell low = cell(point.array() - tolerance);
+  const Cell high = cell(point.array() + tolerance);
+  for (std::int64_t i = low[0]; i <= high[0]; ++i)
+  {
+    for (std::int64_t j = low[1]; j <= high[1]; ++j)
+    {
+      for (std::int64_t k = low[2]; k <= high[2]; ++k)
+      {
+        const auto [first, last] = cells.equal_range(key(Cell(i, j, k)));
+        for (auto entry = first; entry != last; ++entry)
+        {
+          if ((entry->second.point - point).norm() <= tolerance)
+          {
+            return entry->second.id;
+          }
+        }
+      }
+    }
+  }
+  return -1;
+}
+
+}

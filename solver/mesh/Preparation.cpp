@@ -1,0 +1,303 @@
+// Checks and small repairs of meshes that come from elsewhere.
+
+#include "solver/Errors.h"
+#include "solver/mesh/MeshInspection.h"
+#include "solver/mesh/PointHash.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vesicle
+{
+
+namespace
+{
+/// Twice a triangle's area below this part of its longest edge squared: a line, up to rounding.
+constexpr double degenerate_area = 1e-10;
+/// Points nearer than this part of the mesh's diagonal are one point, written twice.
+constexpr double duplicate_distance = 1e-9;
+/// |V| below this part of A^{3/2} is no volume but rounding: the surface is folded flat.
+constexpr double no_volume = 1e-10;
+
+std::string near(const Vector3& x)
+{
+  return fmt::format("near ({:.6g}, {:.6g}, {:.6g})", x.x(), x.y(), x.z());
+}
+
+/// The checks of one mesh, each of which throws at the first fault it finds.
+class Preparation
+{
+public:
+  Preparation(TriangleMesh& mesh, const std::string& name)
+    : mesh(mesh), name(name), inspection(mesh)
+  {
+  }
+
+  void check_duplicates() const;
+  void check_areas() const;
+  void check_edges() const;
+  void check_vertices() const;
+  void check_components() const;
+  void check_genus() const;
+  /// These change the mesh, and say what they did.
+  std::string orient() const;
+  std::string drop_unused_points() const;
+
+private:
+  template<typename... Arguments>
+  [[noreturn]] void fail(fmt::format_string<Arguments...> text, Arguments&&... arguments) const
+  {
+    throw InputError(name + ": " + fmt::format(text, std::forward<Arguments>(arguments)...));
+  }
+  Vector3 point(int i) const { return mesh.points.row(i); }
+  std::string place_of_edge(int e) const;
+  double diagonal() const;
+
+  TriangleMesh& mesh;
+  const std::string& name;
+  MeshInspection inspection;
+};
+
+std::string Preparation::place_of_edge(int e) const
+{
+  const EdgeUse& use = inspection.edges()[e].front();
+  return fmt::format("edge {}–{} {}", use.a, use.b, near((point(use.a) + point(use.b)) / 2));
+}
+
+/// Of the bounding box of the points in use.
+double Preparation::diagonal() const
+{
+  Vector3 low = point(mesh.triangles(0, 0));
+  Vector3 high = low;
+  for (const int vertex : mesh.triangles.reshaped())
+  {
+    low = low.cwiseMin(point(vertex));
+    high = high.cwiseMax(point(vertex));
+  }
+  return (high - low).norm();
+}
+
+void Preparation::check_duplicates() const
+{
+  const double size = diagonal();
+  if (!(size > 0))
+  {
+    fail("all points coincide {}", near(point(mesh.triangles(0, 0))));
+  }
+  const Vector3 origin = point(mesh.triangles(0, 0));
+  PointHash seen(duplicate_distance * size);
+  for (int i = 0; i < mesh.points.rows(); ++i)
+  {
+    if (!inspection.used(i))
+    {
+      continue;
+    }
+    if (const int twin = seen.find(point(i) - origin); twin >= 0)
+    {
+      fail(
+        "duplicate points {} and {} {}: merge points that coincide (vtkCleanPolyData, ParaView's "
+        "Clean, or merge_vertices of the program that wrote the mesh)",
+        twin, i, near(point(i)));
+    }
+    seen.insert(point(i) - origin, i);
+  }
+}
+
+void Preparation::check_areas() const
+{
+  for (int t = 0; t < mesh.triangles.rows(); ++t)
+  {
+    const int i = mesh.triangles(t, 0), j = mesh.triangles(t, 1), k = mesh.triangles(t, 2);
+    const Vector3 a = point(i), b = point(j), c = point(k);
+    const double longest =
+      std::max({ (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm() });
+    if (i == j || j == k || k == i || (b - a).cross(c - a).norm() <= degenerate_area * longest)
+    {
+      fail("degenerate triangle {} (points {}, {}, {}) without area {}: remove it by merging its "
+           "points (vtkCleanPolyData) or remesh the surface",
+        t, i, j, k, near((a + b + c) / 3));
+    }
+  }
+}
+
+void Preparation::check_edges() const
+{
+  if (const int e = inspection.first_crowded_edge(); e >= 0)
+  {
+    fail("{} triangles meet at {}: a membrane has two at every edge; remove inner walls and double "
+         "triangles",
+      inspection.edges()[e].size(), place_of_edge(e));
+  }
+  if (const int e = inspection.first_open_edge(); e >= 0)
+  {
+    const int holes = inspection.holes();
+    fail("open border at {}: the mesh has {} hole{} and a vesicle none; close {} "
+         "(vtkFillHolesFilter), or merge points along a seam (vtkCleanPolyData)",
+      place_of_edge(e), holes, holes == 1 ? "" : "s", holes == 1 ? "it" : "them");
+  }
+}
+
+void Preparation::check_vertices() const
+{
+  if (const int v = inspection.first_pinched_vertex(); v >= 0)
+  {
+    fail("two parts of the surface touch in point {} {} only: give each part its own point, or "
+         "remove one of them",
+      v, near(point(v)));
+  }
+}
+
+void Preparation::check_components() const
+{
+  const std::vector<int> starts = inspection.component_vertices();
+  if (starts.size() > 1)
+  {
+    fail(
+      "the mesh has {} separate components, the first with point {} {}, the second with point {} "
+      "{}: simulate one vesicle at a time; keep one of them "
+      "(vtkPolyDataConnectivityFilter, ParaView's Connectivity)",
+      starts.size(), starts[0], near(point(starts[0])), starts[1], near(point(starts[1])));
+  }
+}
+
+void Preparation::check_genus() const
+{
+  if (const int genus = topology(mesh).genus; genus != 0)
+  {
+    Vector3 middle = Vector3::Zero();
+    for (const int vertex : mesh.triangles.reshaped())
+    {
+      middle += point(vertex) / static_cast<double>(mesh.triangles.size());
+    }
+    fail(
+      "the surface about its centre {} has genus {} ({} handle{}, as a torus has one): a vesicle "
+      "here is a deformed sphere, of genus 0",
+      near(middle), genus, genus, genus == 1 ? "" : "s");
+  }
+}
+
+std::string Preparation::orient() const
+{
+  MeshInspection::Turns turns = inspection.turns_to_agree();
+  if (turns.contradicting_edge >= 0)
+  {
+    fail(
+      "the surface has one side only (it can't be oriented), seen at {}: a vesicle has an inside "
+      "and an outside",
+      place_of_edge(turns.contradicting_edge));
+  }
+  const auto turn_over = [this](const std::vector<bool>& turned)
+  {
+    for (int t = 0; t < mesh.triangles.rows(); ++t)
+    {
+      if (turned[t])
+      {
+        std::swap(mesh.triangles(t, 1), mesh.triangles(t, 2));
+      }
+    }
+  };
+  turn_over(turns.turned);
+  const double volume = flat_volume(mesh);
+  if (std::abs(volume) <= no_volume * std::pow(flat_area(mesh), 1.5))
+  {
+    fail("the surface encloses no volume {}: it is folded flat", near(point(mesh.triangles(0, 0))));
+  }
+  if (volume < 0)
+  {
+    turn_over(std::vector<bool>(mesh.triangles.rows(), true));
+    turns.turned.flip();
+  }
+  const auto count = std::ranges::count(turns.turned, true);
+  if (count == 0)
+  {
+    return {};
+  }
+  if (count == mesh.triangles.rows())
+  {
+    return "the triangles faced inward and were turned outward";
+  }
+  return fmt::format("{} of {} triangles faced inward and were turned outward, as the others",
+    count, mesh.triangles.rows());
+}
+
+std::string Preparation::drop_unused_points() const
+{
+  const int points = static_cast<int>(mesh.points.rows());
+  const int used = inspection.used_vertices();
+  if (used == points)
+  {
+    return {};
+  }
+  std::vector<int> number(points, -1);
+  int next = 0;
+  for (int i = 0; i < points; ++i)
+  {
+    if (inspection.used(i))
+    {
+      number[i] = next;
+      mesh.points.row(next++) = point(i).transpose();
+    }
+  }
+  mesh.points.conservativeResize(used, Eigen::NoChange);
+  for (int& vertex : mesh.triangles.reshaped())
+  {
+    vertex = number[vertex];
+  }
+  return points - used == 1
+    ? std::string("a point that no triangle uses was dropped")
+    : fmt::format("{} points that no triangle uses were dropped", points - used);
+}
+}
+
+void check_indices(const TriangleMesh& mesh, const std::string& name)
+{
+  const auto points = mesh.points.rows();
+  if (points == 0 || mesh.triangles.rows() == 0)
+  {
+    throw InputError(fmt::format(
+      "{}: the mesh is empty ({} points, {} triangles)", name, points, mesh.triangles.rows()));
+  }
+  for (int i = 0; i < points; ++i)
+  {
+    if (!mesh.points.row(i).allFinite())
+    {
+      throw InputError(
+        fmt::format("{}: point {} is ({}, {}, {}): coordinates must be finite numbers", name, i,
+          mesh.points(i, 0), mesh.points(i, 1), mesh.points(i, 2)));
+    }
+  }
+  for (int t = 0; t < mesh.triangles.rows(); ++t)
+  {
+    for (const int vertex : mesh.triangles.row(t))
+    {
+      if (vertex < 0 || vertex >= points)
+      {
+        throw InputError(
+          fmt::format("{}: triangle {} uses point {}, but the points are numbered 0 to {}", name, t,
+            vertex, points - 1));
+      }
+    }
+  }
+}
+
+// The order goes from causes to consequences: an unmerged seam, for instance, also looks open.
+std::string prepare_for_dynamics(TriangleMesh& mesh, const std::string& name)
+{
+  check_indices(mesh, name);
+  const Preparation preparation(mesh, name);
+  preparation.check_duplicates();
+  preparation.check_areas();
+  preparation.check_edges();
+  preparation.check_vertices();
+  preparation.check_components();
+  std::vector<std::string> changes{ preparation.orient() };
+  preparation.check_genus();
+  changes.push_back(preparation.drop_unused_points());
+  std::erase(changes, "");
+  return changes.empty() ? "" : fmt::format("{}: {}", name, fmt::join(changes, "; "));
+}
+
+}

@@ -1,0 +1,103 @@
+#include "solver/mesh/SphereMesh.h"
+
+#include "solver/mesh/EdgeUses.h"
+#include "solver/mesh/PointHash.h"
+#include "solver/mesh/Shapes.h"
+
+#include <algorithm>
+#include <ranges>
+
+namespace vesicle
+{
+
+namespace
+{
+/// The edge number of each triangle's side k (from corner k to k + 1).
+Triangles edge_of_side(const EdgeUses& edges, const Triangles& triangles)
+{
+  Triangles result(triangles.rows(), 3);
+  for (int e = 0; e < edges.size(); ++e)
+  {
+    for (const EdgeUse& use : edges[e])
+    {
+      const int from = use.forward ? use.a : use.b;
+      const auto row = triangles.row(use.triangle);
+      const int side = row[0] == from ? 0 : row[1] == from ? 1 : 2;
+      result(use.triangle, side) = e;
+    }
+  }
+  return result;
+}
+
+int find_edge(const EdgeUses& edges, int a, int b)
+{
+  const std::array<int, 2> wanted{ std::min(a, b), std::max(a, b) };
+  const auto numbers = std::views::iota(0, edges.size());
+  return *std::ranges::lower_bound(numbers, wanted, {},
+    [&](int e) {
+      return std::array{ edges[e].front().a, edges[e].front().b };
+    });
+}
+}
+
+SphereMesh geodesic_sphere_mesh(int n, bool symmetric)
+{
+  auto [directions, triangles] = geodesic_sphere(n);
+  SphereMesh mesh{ std::move(directions), std::move(triangles), {} };
+  if (symmetric)
+  {
+    const double rounding = 1e-10;
+    const int points = static_cast<int>(mesh.directions.rows());
+    PointHash hash(rounding);
+    for (int i = 0; i < points; ++i)
+    {
+      hash.insert(mesh.directions.row(i), i);
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      std::vector<int>& turned = mesh.half_turns.emplace_back();
+      for (int i = 0; i < points; ++i)
+      {
+        turned.push_back(hash.find(half_turn(mesh.directions.row(i), axis)));
+      }
+    }
+  }
+  return mesh;
+}
+
+SphereMesh cut_in_four(const SphereMesh& mesh)
+{
+  const int points = static_cast<int>(mesh.directions.rows());
+  const EdgeUses edges(mesh.triangles);
+  SphereMesh cut;
+  cut.directions.resize(points + edges.size(), 3);
+  cut.directions.topRows(points) = mesh.directions;
+  for (int e = 0; e < edges.size(); ++e)
+  {
+    const EdgeUse& use = edges[e].front();
+    cut.directions.row(points + e) =
+      (mesh.directions.row(use.a) + mesh.directions.row(use.b)).normalized();
+  }
+  const Triangles middle = edge_of_side(edges, mesh.triangles).array() + points;
+  cut.triangles.resize(4 * mesh.triangles.rows(), 3);
+  for (int t = 0; t < mesh.triangles.rows(); ++t)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      cut.triangles.row(4 * t + k) << mesh.triangles(t, k), middle(t, k), middle(t, (k + 2) % 3);
+    }
+    cut.triangles.row(4 * t + 3) = middle.row(t);
+  }
+  for (std::vector<int> turned : mesh.half_turns)
+  {
+    for (int e = 0; e < edges.size(); ++e)
+    {
+      const EdgeUse& use = edges[e].front();
+      turned.push_back(points + find_edge(edges, turned[use.a], turned[use.b]));
+    }
+    cut.half_turns.push_back(std::move(turned));
+  }
+  return cut;
+}
+
+}

@@ -1,0 +1,109 @@
+#pragma once
+// The words that a scene uses for its choices, for reading and writing alike.
+
+#include "solver/scene/Scene.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vesicle
+{
+
+template<class Choice>
+struct NamedChoice
+{
+  std::string_view name;
+  Choice choice;
+  /// False for what the format knows and this version can't do yet: refused when read.
+  bool available = true;
+};
+
+inline constexpr std::array preset_names{
+  NamedChoice{ "paper", Scene::Preset::paper },
+  NamedChoice{ "fast", Scene::Preset::fast },
+  NamedChoice{ "balanced", Scene::Preset::balanced },
+  NamedChoice{ "accurate", Scene::Preset::accurate },
+};
+
+inline constexpr std::array basis_names{
+  NamedChoice{ "linear", Scene::Basis::linear },
+  NamedChoice{ "loop", Scene::Basis::loop, false },
+};
+
+inline constexpr std::array bending_names{
+  NamedChoice{ "cotan", Scene::Bending::cotan },
+  NamedChoice{ "fit", Scene::Bending::fit, false },
+  NamedChoice{ "variational", Scene::Bending::variational, false },
+};
+
+inline constexpr std::array integrator_names{
+  NamedChoice{ "imex-midpoint", Scene::Integrator::imex_midpoint },
+  NamedChoice{ "imex-euler", Scene::Integrator::imex_euler },
+};
+
+inline constexpr std::array mesh_motion_names{
+  NamedChoice{ "equidistribute", Scene::MeshMotion::equidistribute },
+  NamedChoice{ "material", Scene::MeshMotion::material },
+};
+
+inline constexpr std::array operator_names{
+  NamedChoice{ "auto", Scene::Operator::automatic },
+  NamedChoice{ "dense", Scene::Operator::dense },
+  NamedChoice{ "direct", Scene::Operator::direct, false },
+  NamedChoice{ "tree", Scene::Operator::tree, false },
+};
+
+inline constexpr std::array precision_names{
+  NamedChoice{ "double", Scene::Precision::double_precision },
+  NamedChoice{ "single", Scene::Precision::single_precision },
+};
+
+/// The scene's `kind` of a flow; "extension" has a `type` as well.
+enum class FlowWord
+{
+  uniform,
+  shear,
+  extension,
+  poiseuille
+};
+
+inline constexpr std::array flow_names{
+  NamedChoice{ "uniform", FlowWord::uniform },
+  NamedChoice{ "shear", FlowWord::shear },
+  NamedChoice{ "extension", FlowWord::extension },
+  NamedChoice{ "poiseuille", FlowWord::poiseuille },
+};
+
+inline constexpr std::array extension_names{
+  NamedChoice{ "planar", Scene::Flow::Kind::planar_extension },
+  NamedChoice{ "axisymmetric", Scene::Flow::Kind::axisymmetric_extension },
+};
+
+inline constexpr std::array shape_kinds{
+  ShapeRequest::Kind::sphere,
+  ShapeRequest::Kind::prolate,
+  ShapeRequest::Kind::oblate,
+  ShapeRequest::Kind::ellipsoid,
+  ShapeRequest::Kind::discocyte,
+  ShapeRequest::Kind::perturbed,
+};
+
+inline const std::vector<std::string> view_names{ "auto", "x", "y", "z", "isometric" };
+
+/// The point arrays that a run can write.
+inline const std::vector<std::string> field_names{ "Mean_Curvature", "Gauss_Curvature",
+  "Laplacian_Mean_Curvature", "Normals", "Bending_Force", "Tension", "Tension_Force",
+  "Membrane_Force", "Velocity", "Surface_Divergence" };
+
+template<class Choices, class Choice>
+std::string name_of(const Choices& choices, Choice choice)
+{
+  const auto found = std::find_if(choices.begin(), choices.end(),
+    [&](const auto& candidate) { return candidate.choice == choice; });
+  return std::string(found->name);
+}
+
+}

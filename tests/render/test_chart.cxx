@@ -1,0 +1,86 @@
+// Charts: not blank, the right size, and errors for what can't be drawn.
+
+#include "TestSurfaces.h"
+
+#include "render/Chart.h"
+#include "solver/Errors.h"
+
+#include "vtkPNGReader.h"
+
+#include <gtest/gtest.h>
+#include <limits>
+
+using namespace vesicle;
+using namespace vesicle::test;
+
+namespace
+{
+
+ChartSpec parabola()
+{
+  ChartLine line{ "t squared", {}, {}, ChartLine::Style::line };
+  for (int i = 0; i < 50; ++i)
+  {
+    line.x.push_back(0.1 * i);
+    line.y.push_back(0.01 * i * i);
+  }
+  ChartSpec chart{ "A parabola", "t", "y", { line, line }, false, false };
+  chart.lines[1].label = "samples";
+  chart.lines[1].style = ChartLine::Style::points;
+  return chart;
+}
+
+vtkSmartPointer<vtkImageData> drawn(const ChartSpec& chart)
+{
+  const TemporaryFolder folder;
+  write_chart(folder / "chart.png", chart, { 640, 360 });
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName((folder / "chart.png").c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
+}
+
+TEST(Chart, IsNotBlank)
+{
+  const auto image = drawn(parabola());
+  EXPECT_EQ(size_of(image), (std::array{ 640, 360 }));
+  const auto colors = colors_of(image);
+  EXPECT_TRUE(colors.contains({ 255, 255, 255 }));
+  EXPECT_TRUE(colors.contains({ 0, 114, 178 })); // the first line's colour
+  EXPECT_TRUE(colors.contains({ 213, 94, 0 }));  // the second's
+}
+
+TEST(Chart, LeavesOutWhatIsNotFinite)
+{
+  ChartSpec chart = parabola();
+  const auto before = drawn(chart);
+  chart.lines[0].x.push_back(2);
+  chart.lines[0].y.push_back(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(difference(before, drawn(chart)), 0);
+}
+
+TEST(Chart, LogarithmicAxesChangeThePicture)
+{
+  ChartSpec chart = parabola();
+  const auto linear = drawn(chart);
+  chart.log_x = chart.log_y = true;
+  EXPECT_GT(difference(linear, drawn(chart)), 0.02);
+}
+
+TEST(Chart, SeveralFitIntoOnePicture)
+{
+  const TemporaryFolder folder;
+  write_charts(folder / "charts.png", { parabola(), parabola(), parabola() }, 2, { 800, 600 });
+  EXPECT_GT(std::filesystem::file_size(folder / "charts.png"), 1000u);
+}
+
+TEST(Chart, RefusesWhatItCannotDraw)
+{
+  ChartSpec uneven = parabola();
+  uneven.lines[0].y.pop_back();
+  EXPECT_THROW(drawn(uneven), InputError);
+  EXPECT_THROW(drawn(ChartSpec{}), InputError);
+  EXPECT_THROW(write_chart("/nonexistent/chart.png", parabola()), IoError);
+}

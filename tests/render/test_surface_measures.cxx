@@ -1,0 +1,44 @@
+// Centroids, which the camera follows.
+
+#include "TestSurfaces.h"
+
+#include "render/SurfaceMeasures.h"
+#include "solver/Errors.h"
+
+#include <gtest/gtest.h>
+
+using namespace vesicle;
+using namespace vesicle::test;
+
+TEST(SurfaceCentroid, IsThatOfTheVolume)
+{
+  const Point3 center = surface_centroid(make_surface(50));
+  EXPECT_NEAR(center[0], 50, 1e-10);
+  EXPECT_NEAR(center[1], 0, 1e-10);
+  EXPECT_NEAR(center[2], 100, 1e-10);
+}
+
+TEST(SurfaceCentroid, OfAnOpenSurfaceIsThatOfItsArea)
+{
+  vtkNew<vtkSphereSource> bowl; // the lower half: area centroid at −1/2
+  bowl->SetRadius(1);
+  bowl->SetStartPhi(90);
+  bowl->SetThetaResolution(100);
+  bowl->SetPhiResolution(100);
+  bowl->Update();
+  EXPECT_NEAR(surface_centroid(bowl->GetOutput())[2], -0.5, 1e-3);
+}
+
+TEST(SurfaceCentroid, NeedsTriangles)
+{
+  EXPECT_THROW(surface_centroid(vtkNew<vtkPolyData>()), InputError);
+}
+
+TEST(CentroidVelocity, IsTheTranslationOfATurningBody)
+{
+  const auto surface = make_surface(5); // turns about its centroid and rises with speed 1
+  const Point3 u = centroid_velocity(surface, surface->GetPointData()->GetArray("Velocity"));
+  EXPECT_NEAR(u[0], 0, 0.02);
+  EXPECT_NEAR(u[1], 0, 0.02);
+  EXPECT_NEAR(u[2], 1, 0.02); // the facets are flat
+}

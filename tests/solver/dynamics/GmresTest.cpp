@@ -1,0 +1,60 @@
+#include "solver/dynamics/Gmres.h"
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+namespace vesicle
+{
+namespace
+{
+
+Eigen::VectorXd identity(const Eigen::VectorXd& x)
+{
+  return x;
+}
+
+TEST(Gmres, SolvesWithoutAPreconditionerInAtMostNIterations)
+{
+  std::srand(2);
+  const int n = 30;
+  const Eigen::MatrixXd A = Eigen::MatrixXd::Random(n, n) + 3 * Eigen::MatrixXd::Identity(n, n);
+  const Eigen::VectorXd x = Eigen::VectorXd::Random(n);
+  const auto result = gmres(
+    [&](const Eigen::VectorXd& v) -> Eigen::VectorXd { return A * v; }, identity, A* x, 1e-12, n);
+  EXPECT_LE(result.residual, 1e-12);
+  EXPECT_LT((result.solution - x).norm(), 1e-9);
+}
+
+TEST(Gmres, NeedsOneIterationWithTheInverseAndReportsTheTrueResidual)
+{
+  std::srand(3);
+  const int n = 20;
+  const Eigen::MatrixXd A = Eigen::MatrixXd::Random(n, n);
+  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(A);
+  const Eigen::VectorXd b = Eigen::VectorXd::Random(n);
+  const auto result = gmres([&](const Eigen::VectorXd& v) -> Eigen::VectorXd { return A * v; },
+    [&](const Eigen::VectorXd& v) -> Eigen::VectorXd { return lu.solve(v); }, b, 1e-10, n);
+  EXPECT_EQ(result.iterations, 1);
+  EXPECT_LT((A * result.solution - b).norm(), 1e-10 * b.norm());
+}
+
+TEST(Gmres, ZeroRightSideGivesZero)
+{
+  const auto result = gmres(identity, identity, Eigen::VectorXd::Zero(5), 1e-12, 5);
+  EXPECT_EQ(result.solution, Eigen::VectorXd::Zero(5));
+  EXPECT_EQ(result.iterations, 0);
+}
+
+TEST(Gmres, StopsAtTheLimitAndSaysHowFarItGot)
+{
+  std::srand(4);
+  const Eigen::MatrixXd A = Eigen::MatrixXd::Random(40, 40);
+  const Eigen::VectorXd b = Eigen::VectorXd::Random(40);
+  const auto result = gmres(
+    [&](const Eigen::VectorXd& v) -> Eigen::VectorXd { return A * v; }, identity, b, 1e-12, 3);
+  EXPECT_EQ(result.iterations, 3);
+  EXPECT_NEAR(result.residual, (A * result.solution - b).norm() / b.norm(), 1e-10);
+}
+
+}
+}

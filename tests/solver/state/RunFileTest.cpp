@@ -1,0 +1,348 @@
+#include "TestRun.h"
+
+#include "solver/Errors.h"
+
+#include <gtest/gtest.h>
+#include <hdf5.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+using namespace vesicle;
+using namespace vesicle::testing_support;
+
+namespace
+{
+
+class RunFileTest : public testing::Test
+{
+protected:
+  void TearDown() override { std::filesystem::remove_all(folder); }
+
+  std::filesystem::path folder =
+    empty_folder(testing::UnitTest::GetInstance()->current_test_info()->name());
+  std::filesystem::path file = folder / "run.h5";
+};
+
+template<class Work>
+std::string io_error_of(const Work& work)
+{
+  try
+  {
+    work();
+  }
+  catch (const IoError& error)
+  {
+    return error.what();
+  }
+  return "no error";
+}
+
+bool has(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+/// All numbers of a dataset, read as anybody would.
+std::vector<double> numbers_in(const std::filesystem::path& file, const std::string& dataset)
+{
+  const hid_t f = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t d = H5Dopen2(f, dataset.c_str(), H5P_DEFAULT);
+  const hid_t s = H5Dget_space(d);
+  std::vector<double> numbers(static_cast<std::size_t>(H5Sget_simple_extent_npoints(s)));
+  H5Dread(d, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data());
+  H5Sclose(s);
+  H5Dclose(d);
+  H5Fclose(f);
+  return numbers;
+}
+
+void expect_run(const RunFile& run, std::int64_t steps)
+{
+  const auto rows = run.series();
+  ASSERT_EQ(rows.size(), static_cast<std::size_t>(steps));
+  for (std::int64_t i = 0; i < steps; ++i)
+  {
+    EXPECT_EQ(rows[static_cast<std::size_t>(i)], row(i));
+  }
+  EXPECT_TRUE(same_bits(run.state(), state(steps - 1)));
+}
+
+}
+
+TEST_F(RunFileTest, NewFileHasTheHeaderAndNothingElse)
+{
+  RunFile::create(file, header());
+  const RunFile run = RunFile::open(file);
+  EXPECT_EQ(run.header().scene, header().scene);
+  EXPECT_EQ(run.header().triangles, header().triangles);
+  EXPECT_EQ(run.header().length_scale, 1e-6);
+  EXPECT_EQ(run.header().time_scale, 0.1);
+  EXPECT_EQ(run.header().energy_scale, 1e-19);
+  EXPECT_EQ(run.header().viscosity, 1e-3);
+  EXPECT_EQ(run.header().columns, header().columns);
+  EXPECT_TRUE(run.series().empty());
+  EXPECT_TRUE(has(io_error_of([&] { run.state(); }), "holds no state yet"));
+}
+
+TEST_F(RunFileTest, StateAndSeriesComeBackBitForBit)
+{
+  {
+    RunFile run = RunFile::create(file, header());
+    for (int i = 0; i < 700; ++i) // beyond two enlargements
+    {
+      run.append(state(i), row(i));
+    }
+    expect_run(run, 700);
+  }
+  expect_run(RunFile::open(file), 700);
+}
+
+TEST_F(RunFileTest, GoesOnAfterReopening)
+{
+  RunFile::create(file, header());
+  for (int i = 0; i < 5; ++i)
+  {
+    RunFile run = RunFile::open(file);
+    run.append(state(2 * i), row(2 * i));
+    run.append(state(2 * i + 1), row(2 * i + 1));
+  }
+  expect_run(RunFile::open(file), 10);
+}
+
+TEST_F(RunFileTest, EmptyArraysAndSpecialNumbers)
+{
+  State special = state(1);
+  special.tension.resize(0);
+  special.bending.resize(0);
+  special.volume_speed.resize(0);
+  special.preconditioner_points.resize(0, 3);
+  special.points(0, 0) = -0.0;
+  special.points(1, 0) = std::numeric_limits<double>::denorm_min();
+  special.points(2, 0) = std::numeric_limits<double>::max();
+  special.free_step = std::numeric_limits<double>::infinity();
+  {
+    RunFile run = RunFile::create(file, header());
+    run.append(special, row(0));
+  }
+  EXPECT_TRUE(same_bits(RunFile::open(file).state(), special));
+}
+
+TEST_F(RunFileTest, StateMayChangeItsSize)
+{
+  State small = state(3, 12);
+  small.tension.resize(0);
+  {
+    RunFile run = RunFile::create(file, header());
+    run.append(state(0), row(0));
+    run.append(state(1), row(1));
+    run.append(small, row(2));
+    EXPECT_TRUE(same_bits(run.state(), small));
+  }
+  RunFile run = RunFile::open(file);
+  EXPECT_TRUE(same_bits(run.state(), small));
+  run.append(state(3), row(3));
+  expect_run(run, 4);
+}
+
+TEST_F(RunFileTest, RefusesWhatIsNotFinite)
+{
+  RunFile run = RunFile::create(file, header());
+  run.append(state(0), row(0));
+  auto bad_row = row(1);
+  bad_row[1] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(run.append(state(1), bad_row), NumericalError);
+  State bad_state = state(1);
+  bad_state.velocity(3, 1) = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(run.append(bad_state, row(1)), NumericalError);
+  EXPECT_THROW(run.append(state(1), { 1.0 }), IoError);
+  expect_run(run, 1);
+}
+
+TEST_F(RunFileTest, OthersFindPlainDatasetsWithoutNaN)
+{
+  {
+    RunFile run = RunFile::create(file, header());
+    for (int i = 0; i < 4; ++i)
+    {
+      run.append(state(i), row(i));
+    }
+  }
+  EXPECT_EQ(numbers_in(file, "/series/area"), (std::vector<double>{ 0, -1, -2, -3 }));
+  const double missing = std::numeric_limits<double>::lowest();
+  EXPECT_EQ(numbers_in(file, "/series/inclination_deg"),
+    (std::vector<double>{ missing, 0.1, 0.1 * 2, missing }));
+  EXPECT_EQ(numbers_in(file, "/committed"), std::vector<double>{ 4 });
+  EXPECT_EQ(numbers_in(file, "/state/0/points").size(), 42u * 3);
+  EXPECT_EQ(numbers_in(file, "/triangles").size(), 9u);
+  for (const double number : numbers_in(file, "/state/1/points"))
+  {
+    EXPECT_TRUE(std::isfinite(number));
+  }
+}
+
+TEST_F(RunFileTest, EqualRunsGiveEqualFiles)
+{
+  for (const char* name : { "a.h5", "b.h5" })
+  {
+    RunFile run = RunFile::create(folder / name, header());
+    run.append(state(0), row(0));
+  }
+  const auto bytes = [&](const char* name)
+  {
+    std::ifstream stream(folder / name, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+  };
+  EXPECT_EQ(bytes("a.h5"), bytes("b.h5"));
+}
+
+TEST_F(RunFileTest, CreateLeavesExistingFilesAlone)
+{
+  std::ofstream(file) << "mine";
+  EXPECT_TRUE(
+    has(io_error_of([&] { RunFile::create(file, header()); }), file.string() + ": exists already"));
+  std::string content;
+  std::ifstream(file) >> content;
+  EXPECT_EQ(content, "mine");
+}
+
+TEST_F(RunFileTest, CreateInPlacesThatCannotBeWritten)
+{
+  const auto error = [](const std::filesystem::path& path)
+  { return io_error_of([&] { RunFile::create(path, header()); }); };
+  EXPECT_TRUE(
+    has(error(folder / "none/run.h5"), "run.h5: can't be written: No such file or directory"));
+  std::ofstream(folder / "file") << "x";
+  EXPECT_TRUE(has(error(folder / "file/run.h5"), "can't be written: Not a directory"));
+  EXPECT_TRUE(has(error("/proc/run.h5"), "/proc/run.h5: can't be written: "));
+  std::filesystem::permissions(
+    folder, std::filesystem::perms::owner_read | std::filesystem::perms::owner_exec);
+  if (::geteuid() != 0) // root may write anywhere
+  {
+    EXPECT_TRUE(has(error(file), "can't be written: Permission denied"));
+  }
+  std::filesystem::permissions(folder, std::filesystem::perms::owner_all);
+}
+
+TEST_F(RunFileTest, OpenOfSomethingElse)
+{
+  const auto error = [](const std::filesystem::path& path)
+  { return io_error_of([&] { RunFile::open(path); }); };
+  EXPECT_EQ(error(file), file.string() + ": can't be opened: No such file or directory");
+  EXPECT_TRUE(has(error(folder), "it is a folder")) << error(folder);
+
+  std::ofstream(file) << "not HDF5 at all, but long enough to hold a signature";
+  EXPECT_EQ(error(file), file.string() + ": is not an HDF5 file");
+  std::ofstream(file, std::ios::trunc) << "";
+  EXPECT_EQ(error(file), file.string() + ": is not an HDF5 file");
+
+  const hid_t foreign =
+    H5Fcreate((folder / "foreign.h5").c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  H5Fclose(foreign);
+  EXPECT_EQ(error(folder / "foreign.h5"),
+    (folder / "foreign.h5").string() + ": is an HDF5 file but not a run file");
+}
+
+TEST_F(RunFileTest, OpenOfATruncatedFile)
+{
+  {
+    RunFile run = RunFile::create(file, header());
+    run.append(state(0), row(0));
+  }
+  const auto size = std::filesystem::file_size(file);
+  for (const auto kept : { size - 1, size / 2, size / 10, std::uintmax_t{ 100 } })
+  {
+    std::filesystem::resize_file(file, kept);
+    EXPECT_TRUE(has(io_error_of([&] { RunFile::open(file); }), file.string() + ": ")) << kept;
+  }
+}
+
+TEST_F(RunFileTest, SecondWriterInThisProgramIsLockedOut)
+{
+  RunFile run = RunFile::create(file, header());
+  EXPECT_TRUE(
+    has(io_error_of([&] { RunFile::open(file); }), file.string() + ": locked by another run"));
+  run.append(state(0), row(0)); // moves to a new file
+  EXPECT_TRUE(has(io_error_of([&] { RunFile::open(file); }), "locked by another run"));
+  run.append(state(1), row(1));
+  expect_run(run, 2);
+}
+
+TEST_F(RunFileTest, SecondWriterInAnotherProgramIsLockedOut)
+{
+  int ready[2], done[2];
+  ASSERT_EQ(::pipe(ready), 0);
+  ASSERT_EQ(::pipe(done), 0);
+  const pid_t other = ::fork();
+  if (other == 0)
+  {
+    RunFile run = RunFile::create(file, header());
+    run.append(state(0), row(0));
+    char byte = 0;
+    const bool told = ::write(ready[1], &byte, 1) == 1 && ::read(done[0], &byte, 1) == 1;
+    ::_exit(told ? 0 : 1);
+  }
+  char byte = 0;
+  ASSERT_EQ(::read(ready[0], &byte, 1), 1);
+  EXPECT_EQ(io_error_of([&] { RunFile::open(file); }),
+    file.string() + ": locked by another run (or open in another program); wait for it or end it");
+  EXPECT_TRUE(has(io_error_of([&] { RunFile::create(file, header()); }), "exists already"));
+  ASSERT_EQ(::write(done[1], &byte, 1), 1);
+  int status = 0;
+  ::waitpid(other, &status, 0);
+  EXPECT_EQ(status, 0);
+  expect_run(RunFile::open(file), 1); // the lock went with the program
+}
+
+TEST_F(RunFileTest, FullDiskHurtsNothingThatWasSaved)
+{
+  RunFile run = RunFile::create(file, header());
+  for (int i = 0; i < 256; ++i)
+  {
+    run.append(state(i), row(i));
+  }
+  // The next row needs a larger file. A limit on file sizes stands for the full disk.
+  ::signal(SIGXFSZ, SIG_IGN);
+  rlimit old{};
+  ::getrlimit(RLIMIT_FSIZE, &old);
+  rlimit small = old;
+  small.rlim_cur = std::filesystem::file_size(file);
+  ::setrlimit(RLIMIT_FSIZE, &small);
+  const std::string error = io_error_of([&] { run.append(state(256), row(256)); });
+  ::setrlimit(RLIMIT_FSIZE, &old);
+
+  EXPECT_TRUE(has(error, "can't be written: ")) << error;
+  EXPECT_FALSE(std::filesystem::exists(folder / "run.h5.part"));
+  expect_run(run, 256);
+  run.append(state(256), row(256));
+  expect_run(run, 257);
+}
+
+TEST_F(RunFileTest, LinksStayLinks)
+{
+  std::filesystem::create_directory(folder / "disk");
+  RunFile::create(folder / "disk/run.h5", header());
+  std::filesystem::create_symlink("disk/run.h5", file);
+  {
+    RunFile run = RunFile::open(file);
+    run.append(state(0), row(0));
+  }
+  EXPECT_TRUE(std::filesystem::is_symlink(file));
+  expect_run(RunFile::open(folder / "disk/run.h5"), 1);
+}
+
+TEST_F(RunFileTest, MovesLikeAValue)
+{
+  RunFile run = RunFile::create(file, header());
+  run.append(state(0), row(0));
+  RunFile moved = std::move(run);
+  moved.append(state(1), row(1));
+  RunFile other = RunFile::create(folder / "other.h5", header());
+  other = std::move(moved);
+  expect_run(other, 2);
+}

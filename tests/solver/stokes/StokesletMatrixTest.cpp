@@ -1,0 +1,160 @@
+#include "solver/stokes/StokesletMatrix.h"
+#include "tests/solver/support/TestMeshes.h"
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace vesicle
+{
+namespace
+{
+
+using test::jittered_sphere;
+using test::mapped;
+using Field = std::function<Vector3(const Vector3&)>;
+
+struct Case
+{
+  TriangleMesh mesh;
+  DenseMatrix S;
+  Eigen::VectorXd areas;
+  explicit Case(TriangleMesh m, int quadrature = 3) : mesh(std::move(m))
+  {
+    const LinearBasis basis(mesh.triangles, static_cast<int>(mesh.points.rows()));
+    const StokesletMatrix stokeslets(basis, quadrature);
+    const SurfacePoints surface = evaluate(stokeslets.table(), mesh.points);
+    stokeslets.assemble(mesh.points, surface, S);
+    areas = vertex_areas(stokeslets.table(), surface);
+  }
+  Eigen::VectorXd nodal(const Field& field) const
+  {
+    Eigen::VectorXd f(3 * mesh.points.rows());
+    for (int i = 0; i < mesh.points.rows(); ++i)
+      f.segment<3>(3 * i) = field(mesh.points.row(i).transpose());
+    return f;
+  }
+  // Relative error of S f against factor · f.
+  double eigen_error(const Field& field, double factor) const
+  {
+    const Eigen::VectorXd f = nodal(field);
+    Eigen::VectorXd u;
+    multiply(S, f, u);
+    return (u - factor * f).norm() / (factor * f).norm();
+  }
+};
+
+// Eigenfunctions of the single layer on the unit sphere (μ = 1) and their eigenvalues. For vector
+// harmonics of order l with the solid harmonic p_l: ∇p = grad Y + l Y n is W_l; V_l = grad Y − (l +
+// 1) Y n.
+struct Mode
+{
+  const char* name;
+  Field field;
+  double eigenvalue;
+};
+
+Vector3 gradient_p2(const Vector3& x) // p = x y
+{
+  return { x.y(), x.x(), 0 };
+}
+
+const Mode modes[] = {
+  { "translation", [](const Vector3&) { return Vector3(1, 2, -1); }, 2. / 3 },
+  { "rotation", [](const Vector3& x) -> Vector3 { return Vector3(1, 2, -1).cross(x); }, 1. / 3 },
+  { "strain",
+    [](const Vector3& x) -> Vector3 {
+      return { x.x(), 2 * x.y(), -3 * x.z() };
+    },
+    1. / 5 },
+  { "toroidal, l = 2", [](const Vector3& x) -> Vector3 { return x.cross(gradient_p2(x)); },
+    1. / 5 },
+  { "V, l = 2", [](const Vector3& x) -> Vector3 { return gradient_p2(x) - 5 * x.x() * x.y() * x; },
+    2. / 35 },
+  { "W, l = 2", gradient_p2, 3. / 15 },
+};
+
+TEST(StokesletMatrix, SphereEigenvaluesWithOrderTwo)
+{
+  const Case coarse(geodesic_sphere(4)), fine(geodesic_sphere(8));
+  for (const Mode& mode : modes)
+  {
+    const double e0 = coarse.eigen_error(mode.field, mode.eigenvalue);
+    const double e1 = fine.eigen_error(mode.field, mode.eigenvalue);
+    EXPECT_GT(test::order(e0, e1), 1.7) << mode.name << ": " << e0 << ", " << e1;
+    EXPECT_LT(e1, 0.03) << mode.name;
+  }
+}
+
+TEST(StokesletMatrix, SphereEigenvaluesOnAnIrregularMesh)
+{
+  const Case coarse(jittered_sphere(4, 0.25)), fine(jittered_sphere(8, 0.25));
+  for (const Mode& mode : modes)
+  {
+    const double e0 = coarse.eigen_error(mode.field, mode.eigenvalue);
+    const double e1 = fine.eigen_error(mode.field, mode.eigenvalue);
+    EXPECT_GT(test::order(e0, e1), 1.5) << mode.name << ": " << e0 << ", " << e1;
+  }
+}
+
+TEST(StokesletMatrix, PressureMovesNothing)
+{
+  double speed[2];
+  for (int level = 0; level < 2; ++level)
+  {
+    const Case c(geodesic_sphere(level == 0 ? 4 : 8));
+    Eigen::VectorXd u;
+    multiply(c.S, c.nodal([](const Vector3& x) { return x; }), u);
+    speed[level] = u.cwiseAbs().maxCoeff();
+  }
+  EXPECT_GT(test::order(speed[0], speed[1]), 1.5);
+  EXPECT_LT(speed[1], 1e-3);
+}
+
+// Drag of the ellipsoid 2, 1, 1 translating at unit speed: ∮ f dS with S f = e (Happel & Brenner
+// 5-11).
+TEST(StokesletMatrix, DragOfAnEllipsoid)
+{
+  const double exact[] = { 22.693753013, 25.991634884 };
+  double error[2][2];
+  for (int level = 0; level < 2; ++level)
+  {
+    const Case c(mapped(geodesic_sphere(level == 0 ? 3 : 6), test::ellipsoid_2_1_1));
+    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(c.S);
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const Eigen::VectorXd f =
+        lu.solve(c.nodal([&](const Vector3&) { return Vector3::Unit(axis); }));
+      double drag = 0;
+      for (int i = 0; i < c.areas.size(); ++i)
+        drag += c.areas[i] * f[3 * i + axis];
+      error[level][axis] = std::abs(drag / exact[axis] - 1);
+    }
+  }
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    EXPECT_LT(error[1][axis], 0.01) << axis;
+    EXPECT_GT(test::order(error[0][axis], error[1][axis]), 1.7)
+      << error[0][axis] << ", " << error[1][axis];
+  }
+}
+
+TEST(StokesletMatrix, DoesNotChangeWithRenumbering)
+{
+  const TriangleMesh mesh = mapped(jittered_sphere(3, 0.2), test::paper_surface);
+  const auto [other, order] = test::renumbered(mesh);
+  const Case a(mesh), b(other);
+  double difference = 0;
+  for (int i = 0; i < a.areas.size(); ++i)
+    for (int k = 0; k < a.areas.size(); ++k)
+      difference = std::max(difference,
+        (b.S.block<3, 3>(3 * i, 3 * k) - a.S.block<3, 3>(3 * order[i], 3 * order[k]))
+          .cwiseAbs()
+          .maxCoeff());
+  // Corners are cyclically shifted, which exchanges equal quadrature points: only rounding is left.
+  EXPECT_LT(difference, 1e-15);
+}
+
+}
+}
