@@ -1,7 +1,8 @@
 #include "solver/dynamics/Blas.h"
 
+#include <algorithm>
 #include <cstdlib>
-#include <cstring>
+#include <initializer_list>
 #include <unistd.h>
 
 extern "C" char* openblas_get_corename(void);
@@ -12,25 +13,25 @@ namespace vesicle
 namespace
 {
 
-const char* wanted_kernel()
+bool is_one_of(const std::string& kernel, std::initializer_list<const char*> names)
+{
+  return std::find(names.begin(), names.end(), kernel) != names.end();
+}
+
+// The kernel that this processor should run instead of the one that OpenBLAS chose; null: let it
+// be.
+const char* better_kernel([[maybe_unused]] const std::string& chosen)
 {
 #if defined(__x86_64__)
   __builtin_cpu_init();
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
     __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl"))
-    return "SKYLAKEX";
+    return is_one_of(chosen, { "SkylakeX", "Cooperlake", "SapphireRapids" }) ? nullptr : "SKYLAKEX";
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-    return "HASWELL";
+    return is_one_of(chosen, { "Prescott", "Core2", "Nehalem", "Barcelona", "Generic" }) ? "HASWELL"
+                                                                                         : nullptr;
 #endif
   return nullptr;
-}
-
-bool is_generic(const std::string& kernel)
-{
-  for (const char* old : { "Prescott", "Core2", "Nehalem", "Barcelona", "Generic" })
-    if (kernel == old)
-      return true;
-  return false;
 }
 
 }
@@ -42,8 +43,8 @@ std::string blas_kernel()
 
 void restart_with_blas_kernel(char** argv)
 {
-  const char* kernel = wanted_kernel();
-  if (!kernel || std::getenv("OPENBLAS_CORETYPE") || !is_generic(blas_kernel()))
+  const char* kernel = better_kernel(blas_kernel());
+  if (!kernel || std::getenv("OPENBLAS_CORETYPE"))
     return;
   setenv("OPENBLAS_CORETYPE", kernel, 1);
   execv("/proc/self/exe", argv); // returns only if it failed: then go on, more slowly

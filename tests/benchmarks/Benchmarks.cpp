@@ -1,0 +1,131 @@
+// Kernel, assembly, factorisation and step. The first two benchmarks are the machine's own rates;
+// quote the others against them:
+//   build/release/bin/vesicle_benchmarks
+//   build/release/bin/vesicle_benchmarks --benchmark_filter=Step --benchmark_repetitions=5
+#include "solver/dynamics/Blas.h"
+#include "solver/dynamics/DenseFactorization.h"
+#include "solver/dynamics/Simulation.h"
+#include "solver/stokes/StokesletKernel.h"
+#include "solver/stokes/StokesletMatrix.h"
+
+#include <benchmark/benchmark.h>
+
+#include <numeric>
+#include <vector>
+
+namespace
+{
+
+using namespace vesicle;
+
+// Stokeslets between points and eight targets at a time, each source felt by one node: the kernel
+// alone.
+void KernelRate(benchmark::State& state)
+{
+  const int sources = 4096;
+  std::vector<double> x(sources), y(sources), z(sources), weight(sources, 1), value(sources, 1);
+  std::vector<int> start(sources + 1), node(sources, 0);
+  std::iota(start.begin(), start.end(), 0);
+  for (int i = 0; i < sources; ++i)
+    x[i] = 2 + 0.001 * i, y[i] = 1 + 0.002 * i, z[i] = 3;
+  const StokesletSources s{ x.data(), y.data(), z.data(), weight.data(), start.data(), node.data(),
+    value.data() };
+  std::vector<double> targets(3 * stokeslet_lanes), mask(stokeslet_lanes, 1),
+    sum(6 * stokeslet_lanes);
+  std::iota(targets.begin(), targets.end(), -24.);
+  for (auto _ : state)
+  {
+    add_stokeslets(s, 0, sources, targets.data(), mask.data(), sum.data());
+    benchmark::DoNotOptimize(sum.data());
+  }
+  state.counters["pairs/s"] = benchmark::Counter(
+    static_cast<double>(sources) * stokeslet_lanes, benchmark::Counter::kIsIterationInvariantRate);
+}
+BENCHMARK(KernelRate);
+
+void FactorizationRate(benchmark::State& state)
+{
+  const int n = static_cast<int>(state.range(0));
+  Eigen::MatrixXf A = Eigen::MatrixXf::Random(n, n);
+  A.diagonal().array() += 10;
+  for (auto _ : state)
+  {
+    DenseFactorization lu;
+    lu.compute(A);
+  }
+  state.counters["flop/s"] = benchmark::Counter(
+    2. / 3 * n * n * static_cast<double>(n), benchmark::Counter::kIsIterationInvariantRate);
+}
+BENCHMARK(FactorizationRate)->Arg(1284)->Arg(5124)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+Scene pear(int triangles)
+{
+  Scene scene;
+  scene.vesicle.shape = { ShapeRequest::Kind::prolate, triangles, {}, 0.95, {}, {} };
+  scene.membrane.bending_rigidity = 1;
+  scene.gravity.emplace();
+  scene.gravity->bond_number = 10;
+  scene.time.end = 100;
+  return scene;
+}
+
+void Assembly(benchmark::State& state)
+{
+  const TriangleMesh mesh = make_start_mesh(pear(static_cast<int>(state.range(0))));
+  const LinearBasis basis(mesh.triangles, static_cast<int>(mesh.points.rows()));
+  const StokesletMatrix stokeslets(basis, 3);
+  const SurfacePoints surface = evaluate(stokeslets.table(), mesh.points);
+  DenseMatrix S;
+  for (auto _ : state)
+    stokeslets.assemble(mesh.points, surface, S);
+  state.counters["pairs/s"] =
+    benchmark::Counter(static_cast<double>(mesh.points.rows()) * stokeslets.table().rows(),
+      benchmark::Counter::kIsIterationInvariantRate);
+}
+BENCHMARK(Assembly)->Arg(1280)->Arg(5120)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+// Accepted steps of a rising vesicle from its start, everything included.
+void Step(benchmark::State& state)
+{
+  const Scene scene = pear(static_cast<int>(state.range(0)));
+  const Simulation simulation(scene, make_start_mesh(scene));
+  State current = simulation.start();
+  for (auto _ : state)
+    current = simulation.step(current);
+}
+BENCHMARK(Step)->Arg(320)->Arg(1280)->Arg(5120)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+// What the scene doesn't name costs nothing: the same step without bending, and without tension.
+void StepWithoutBending(benchmark::State& state)
+{
+  Scene scene = pear(1280);
+  scene.membrane.bending_rigidity.reset();
+  scene.time.step = 0.01;
+  const Simulation simulation(scene, make_start_mesh(scene));
+  State current = simulation.start();
+  for (auto _ : state)
+    current = simulation.step(current);
+}
+BENCHMARK(StepWithoutBending)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+void StepWithoutTension(benchmark::State& state)
+{
+  Scene scene = pear(1280);
+  scene.membrane.incompressible = false;
+  scene.time.step = 0.001;
+  const Simulation simulation(scene, make_start_mesh(scene));
+  State current = simulation.start();
+  for (auto _ : state)
+    current = simulation.step(current);
+}
+BENCHMARK(StepWithoutTension)->UseRealTime()->Unit(benchmark::kMillisecond);
+
+}
+
+int main(int argc, char** argv)
+{
+  vesicle::restart_with_blas_kernel(argv);
+  benchmark::AddCustomContext("BLAS kernel", vesicle::blas_kernel());
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+}

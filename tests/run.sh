@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds, and runs all tests but those labelled "long". Options go to CTest:
+#   bash tests/run.sh -R Pear          some tests
+#   bash tests/run.sh -L long          the long ones
+set -euo pipefail
+source "$(dirname "$0")/../apps/setup.sh"
+setup_packages
+options=(-DBUILD_TESTING=ON)
+[ "${CI:-}" = true ] && options+=(-DVESICLE_WARNINGS_AS_ERRORS=ON)
+setup_build "${options[@]}"
+
+[ $# -eq 0 ] && set -- -LE long
+ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)" "$@"
