@@ -2,7 +2,7 @@
 // How the nodes move. Only their normal velocity is physics; along the surface a fluid membrane
 // leaves them free.
 
-#include "solver/dynamics/Model.h"
+#include "solver/dynamics/Discretization.h"
 
 namespace vesicle
 {

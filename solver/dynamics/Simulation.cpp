@@ -30,7 +30,7 @@ constexpr double steady_speed = 2e-3;
 
 Scales make_scales(const Scene& scene, const TriangleMesh& mesh)
 {
-  const double volume = flat_volume(mesh);
+  const double volume = surface_measures(scene, mesh).volume;
   return { std::cbrt(3 * volume / (4 * std::numbers::pi)),
     scene.membrane.bending_rigidity.value_or(1), scene.fluid.viscosity };
 }
@@ -60,6 +60,7 @@ Model make_model(const Scene& scene, const Scales& scales)
 StepperSettings make_settings(const Scene& scene)
 {
   StepperSettings settings;
+  settings.basis = scene.accuracy.basis;
   settings.integrator = scene.accuracy.integrator;
   settings.mesh_motion = scene.accuracy.mesh_motion;
   settings.quadrature = scene.accuracy.quadrature;
@@ -106,6 +107,7 @@ struct Simulation::Impl
 
   std::optional<double> next_target(const State& state) const;
   void plan_next_step(State& state) const;
+  bool overshoots(const State& state) const;
   bool steady(const State& state) const;
 };
 
@@ -126,14 +128,21 @@ void Simulation::Impl::plan_next_step(State& state) const
   double dt = state.free_step;
   if (settings.adaptive && state.velocity.rows() > 0)
     dt = std::min(dt, stepper.longest_step(state));
-  if (const auto target = next_target(state))
+  if (const auto target = next_target(state); target && *target > state.time)
     dt = step_towards(dt, state.time / scales.time(), *target / scales.time());
   state.next_step = dt;
 }
 
+// True for the last state of a run whose end has been put off since.
+bool Simulation::Impl::overshoots(const State& state) const
+{
+  const auto target = next_target(state);
+  return target && state.next_step > (*target - state.time) / scales.time() * (1 + 1e-9);
+}
+
 bool Simulation::Impl::steady(const State& state) const
 {
-  const ShapeOperators shape = stepper.shape(state.points);
+  const ShapeOperators shape = stepper.discretization().shape(state.points);
   const Eigen::VectorXd relative = StageProblem::relative_to_centroid(shape, flat(state.velocity));
   const double speed =
     shape.outward.cwiseProduct(rows_of_three(relative)).rowwise().sum().cwiseAbs().maxCoeff();
@@ -171,7 +180,7 @@ State Simulation::start() const
 {
   State state;
   state.points = impl_->start_mesh.points / impl_->scales.length;
-  const ShapeOperators shape = impl_->stepper.shape(state.points);
+  const ShapeOperators shape = impl_->stepper.discretization().shape(state.points);
   state.target_area = shape.area;
   state.target_volume = shape.volume;
   state.free_step = impl_->scene.time.step ? *impl_->scene.time.step / impl_->scales.time()
@@ -185,6 +194,11 @@ State Simulation::step(const State& before) const
 {
   const Impl& impl = *impl_;
   State from = before;
+  if (impl.overshoots(from))
+  {
+    impl.plan_next_step(from);
+    impl.stepper.solve(from);
+  }
   std::string reason;
   for (int attempt = 0; attempt < max_attempts; ++attempt)
   {
@@ -249,7 +263,7 @@ Diagnostics Simulation::diagnose(const State& state) const
 {
   const Impl& impl = *impl_;
   const Scales& unit = impl.scales;
-  const ShapeOperators shape = impl.stepper.shape(state.points);
+  const ShapeOperators shape = impl.stepper.discretization().shape(state.points);
   const TriangleMesh mesh{ state.points, impl.start_mesh.triangles };
   const Eigen::VectorXd u = flat(state.velocity);
   const Vector3 U = shape.centroid_velocity * u;
@@ -264,22 +278,24 @@ Diagnostics Simulation::diagnose(const State& state) const
   d.volume_drift = shape.volume / state.target_volume - 1;
   d.area_correction = state.area_correction;
   d.volume_correction = state.volume_correction;
-  d.divergence = (shape.area_rate * u).cwiseQuotient(shape.vertex_area).cwiseAbs().maxCoeff();
+  d.divergence = (shape.area_rate * impl.stepper.discretization().to_control(u)).cwiseQuotient(shape.vertex_area).cwiseAbs().maxCoeff();
   d.reduced_volume = reduced_volume(shape.area, shape.volume);
 
   // Power of the densities: gravity's on the membrane, and the ambient flow's work against all
   // forces.
+  const Discretization& operators = impl.stepper.discretization();
   const Eigen::VectorXd mass = shape.vertex_area.replicate(1, 3).reshaped<Eigen::RowMajor>();
   Eigen::VectorXd force = Eigen::VectorXd::Zero(u.size());
   if (impl.model.bending)
-    force += flat((shape.normal.array().colwise() * state.bending.array()).matrix().eval());
+    force += operators.bending_force(shape, state.bending);
   if (impl.model.incompressible)
-    force += shape.tension_force * state.tension;
+    force += operators.tension_force(shape, state.tension);
   double power_in = 0;
   if (impl.model.bond != 0)
   {
-    power_in += shape.load.cwiseProduct(mass).dot(u);
-    force += shape.load;
+    const Eigen::VectorXd load = operators.load_force(shape);
+    power_in += load.cwiseProduct(mass).dot(u);
+    force += load;
   }
   double dissipation = force.cwiseProduct(mass).dot(u);
   if (impl.model.flow)
@@ -292,12 +308,13 @@ Diagnostics Simulation::diagnose(const State& state) const
   d.dissipation = dissipation * unit.power();
 
   if (impl.model.bending)
-    d.bending_energy = bending_energy(shape.cotan, shape.curvature) * unit.energy;
-  d.energy_over_8pi = bending_energy(shape.cotan, shape.curvature) / (8 * std::numbers::pi);
+    d.bending_energy = shape.bending_energy * unit.energy;
+  d.energy_over_8pi = shape.bending_energy / (8 * std::numbers::pi);
   if (state.tension.size() > 0)
   {
-    d.tension_min = state.tension.minCoeff() * unit.tension();
-    d.tension_max = state.tension.maxCoeff() * unit.tension();
+    const Eigen::VectorXd tension = operators.at_vertices(state.tension) * unit.tension();
+    d.tension_min = tension.minCoeff();
+    d.tension_max = tension.maxCoeff();
   }
   for (int c = 0; c < 3; ++c)
   {
@@ -344,7 +361,8 @@ std::map<std::string, Eigen::MatrixXd> Simulation::fields(const State& state) co
 {
   const Impl& impl = *impl_;
   const Scales& unit = impl.scales;
-  const ShapeOperators shape = impl.stepper.shape(state.points);
+  const ShapeOperators shape = impl.stepper.discretization().shape(state.points);
+  const Discretization& operators = impl.stepper.discretization();
   std::map<std::string, Eigen::MatrixXd> fields;
   fields["Mean_Curvature"] = shape.curvature.mean * unit.curvature();
   fields["Gauss_Curvature"] = shape.curvature.gauss * std::pow(unit.curvature(), 2);
@@ -353,19 +371,20 @@ std::map<std::string, Eigen::MatrixXd> Simulation::fields(const State& state) co
   fields["Normals"] = shape.outward;
   fields["Velocity"] = state.velocity * unit.velocity();
   fields["Surface_Divergence"] =
-    (shape.area_rate * flat(state.velocity)).cwiseQuotient(shape.vertex_area) / unit.time();
+    (shape.area_rate * operators.to_control(flat(state.velocity))).cwiseQuotient(shape.vertex_area) /
+    unit.time();
 
   Points membrane = Points::Zero(state.points.rows(), 3);
   if (impl.model.bending)
   {
-    const Points force = shape.normal.array().colwise() * state.bending.array();
+    const Points force = rows_of_three(operators.bending_force(shape, state.bending));
     fields["Bending_Force"] = force * unit.force_density();
     membrane += force;
   }
   if (impl.model.incompressible)
   {
-    const Points force = rows_of_three(shape.tension_force * state.tension);
-    fields["Tension"] = state.tension * unit.tension();
+    const Points force = rows_of_three(operators.tension_force(shape, state.tension));
+    fields["Tension"] = operators.at_vertices(state.tension) * unit.tension();
     fields["Tension_Force"] = force * unit.force_density();
     membrane += force;
   }

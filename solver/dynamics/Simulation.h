@@ -54,6 +54,13 @@ private:
   std::unique_ptr<Impl> impl_;
 };
 
+/// Area and volume of a mesh's surface in the scene's basis.
+struct SurfaceMeasures
+{
+  double area, volume;
+};
+SurfaceMeasures surface_measures(const Scene& scene, const TriangleMesh& mesh);
+
 /// The start mesh of a scene with a shape, in the scene's units, placed and oriented.
 TriangleMesh make_start_mesh(const Scene& scene);
 /// Places a mesh that was read from the scene's mesh_file: radius, rotation. Throws InputError.

@@ -3,9 +3,10 @@
 // and the bending force after a time τ, implicitly, paper (36)–(41) in the form reduced to two
 // unknowns a node.
 //
-//   u = u∞ + S [f_load + n (φ + ψ) + T γ] + c n
-//   ψ = τ R (u − U − reference),  U the velocity of the volume's centroid
-//   D u = 0,  ∇V·u = 0
+//   u = u∞ + u_load + S_n (φ + ψ) + S_γ γ + c n      at the vertices
+//   ċ = P⁻¹ u                                         at the control points (P = I for linear elements)
+//   M ψ = τ R P⁻¹(u − U − reference),  U the velocity of the volume's centroid
+//   D ċ = 0,  ∇V·u = 0
 //
 // ψ is the change of the bending density φ by the motion, γ the tension, c the multiplier of the
 // volume row: a small uniform normal velocity, as a force for it would be singular (a pressure
@@ -13,7 +14,7 @@
 // doesn't have them, s is the slack of a pinned gauge (see ShapeOperators).
 
 #include "solver/dynamics/DenseFactorization.h"
-#include "solver/dynamics/Model.h"
+#include "solver/dynamics/Discretization.h"
 
 namespace vesicle
 {
@@ -30,8 +31,9 @@ struct StageSolution
 class StageProblem
 {
 public:
-  /// `shape` and `S` must outlive the problem. `tau`: implicit time.
-  StageProblem(const Model& model, const ShapeOperators& shape, const DenseMatrix& S, double tau);
+  /// All arguments must outlive the problem. `response` is that of `shape`. `tau`: implicit time.
+  StageProblem(const Model& model, const Discretization& discretization,
+    const ShapeOperators& shape, const VelocityResponse& response, double tau);
 
   int unknowns() const { return total_; }
 
@@ -51,14 +53,18 @@ public:
 
 private:
   Eigen::VectorXd velocity_of(const Eigen::VectorXd& unknowns) const;
+  Eigen::VectorXd part(const Eigen::VectorXd& unknowns, int first) const;
   Eigen::VectorXd apply(const Eigen::VectorXd& unknowns) const;
   Eigen::VectorXd known_velocity() const;
+  Eigen::VectorXd slack_column() const;
 
   const Model& model_;
+  const Discretization& discretization_;
   const ShapeOperators& shape_;
-  const DenseMatrix& S_;
+  const VelocityResponse& response_;
   double tau_;
-  int nodes_, tension_, volume_, slack_, total_; ///< first index of each unknown, −1 if absent
+  int nodes_;
+  int bending_, tension_, volume_, slack_, total_; ///< first index of each unknown, −1 if absent
 };
 
 }

@@ -1,5 +1,7 @@
 #include "solver/dynamics/Simulation.h"
 
+#include "solver/dynamics/Discretization.h"
+
 #include "solver/Errors.h"
 
 #include <fmt/format.h>
@@ -12,6 +14,9 @@ namespace vesicle
 
 namespace
 {
+
+constexpr double reduced_volume_tolerance = 1e-7;
+constexpr int max_corrections = 12;
 
 // Turns the shape's own z axis to where the scene wants it, or by the scene's rotation.
 Eigen::Matrix3d orientation(const Scene::Vesicle& vesicle)
@@ -27,11 +32,45 @@ Eigen::Matrix3d orientation(const Scene::Vesicle& vesicle)
 
 }
 
+SurfaceMeasures surface_measures(const Scene& scene, const TriangleMesh& mesh)
+{
+  if (scene.accuracy.basis == Scene::Basis::linear)
+    return { flat_area(mesh), flat_volume(mesh) };
+  const auto surface = make_loop_discretization(
+    Model(), mesh.triangles, static_cast<int>(mesh.points.rows()), scene.accuracy.quadrature);
+  const Constraints c = surface->constraints(mesh.points);
+  return { c.area, c.volume };
+}
+
+// The shape whose surface, in the scene's basis, has the reduced volume asked for and r0 = 1. make_shape
+// gives it to the flat triangles; for another basis the request is shifted until it holds there (the
+// difference hardly depends on the request, so a few corrections do).
+static TriangleMesh shape_on_surface(const Scene& scene)
+{
+  ShapeRequest request = scene.vesicle.shape;
+  TriangleMesh mesh = make_shape(request);
+  if (scene.accuracy.basis == Scene::Basis::linear)
+    return mesh;
+  SurfaceMeasures measures = surface_measures(scene, mesh);
+  const auto wanted = scene.vesicle.shape.reduced_volume;
+  const bool adjustable = wanted && request.kind != ShapeRequest::Kind::sphere;
+  for (int sweep = 0; adjustable && sweep < max_corrections; ++sweep)
+  {
+    const double error = *wanted - reduced_volume(measures.area, measures.volume);
+    if (std::abs(error) < reduced_volume_tolerance)
+      break;
+    *request.reduced_volume += error;
+    mesh = make_shape(request);
+    measures = surface_measures(scene, mesh);
+  }
+  mesh.points *= std::cbrt(4 * std::numbers::pi / (3 * measures.volume));
+  return mesh;
+}
+
 TriangleMesh make_start_mesh(const Scene& scene)
 {
-  TriangleMesh mesh = make_shape(scene.vesicle.shape);
-  mesh.points =
-    (scene.vesicle.radius * mesh.points * orientation(scene.vesicle).transpose()).eval();
+  TriangleMesh mesh = shape_on_surface(scene);
+  mesh.points = (scene.vesicle.radius * mesh.points * orientation(scene.vesicle).transpose()).eval();
   mesh.points.rowwise() += scene.vesicle.center.transpose();
   return mesh;
 }

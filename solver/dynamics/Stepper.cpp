@@ -43,9 +43,12 @@ double largest_normal(const ShapeOperators& shape, const Eigen::VectorXd& vector
 
 Stepper::Stepper(
   const Model& model, const Triangles& triangles, int nodes, const StepperSettings& settings)
-  : model_(model), triangles_(triangles), basis_(triangles, nodes), settings_(settings),
-    stokeslets_(basis_, settings.quadrature),
-    neighbours_(Connectivity(triangles, nodes).vertex_neighbours)
+  : model_(model)
+  , settings_(settings)
+  , discretization_((settings.basis == Scene::Basis::loop
+        ? make_loop_discretization
+        : make_linear_discretization)(model, triangles, nodes, settings.quadrature))
+  , neighbours_(Connectivity(triangles, nodes).vertex_neighbours)
 {
 }
 
@@ -61,27 +64,16 @@ double Stepper::implicit_fraction() const
   return settings_.integrator == Scene::Integrator::imex_midpoint ? sdirk_gamma : 1;
 }
 
-ShapeOperators Stepper::shape(const Points& points) const
-{
-  return ShapeOperators(model_, stokeslets_, points, triangles_);
-}
-
 bool Stepper::only_relaxes() const
 {
   return model_.bending && model_.robust() && model_.bond == 0 && !model_.flow;
-}
-
-double Stepper::energy(const Points& points) const
-{
-  const CotanGeometry geometry(points, triangles_);
-  return bending_energy(geometry, cotan_curvature(geometry, points, NormalScheme::area_weighted));
 }
 
 double Stepper::longest_step(const State& state) const
 {
   if (settings_.mesh_motion == Scene::MeshMotion::material)
     return INFINITY;
-  const ShapeOperators now = shape(state.points);
+  const ShapeOperators now = discretization_->shape(state.points);
   const double speed = tangential_speed(now, state.velocity);
   const double relaxation = relaxation_rate(now, state.velocity, scene_rate());
   return std::min(longest_relaxation / relaxation,
@@ -103,10 +95,10 @@ void Stepper::restore_preconditioner(const State& state) const
     (factorized_step_ == state.preconditioner_step &&
       factorized_points_ == state.preconditioner_points))
     return;
-  const ShapeOperators there = shape(state.preconditioner_points);
-  stokeslets_.assemble(state.preconditioner_points, there.surface, S_);
+  const ShapeOperators there = discretization_->shape(state.preconditioner_points);
+  discretization_->respond(there, response_);
   State unused;
-  factorize(StageProblem(model_, there, S_, implicit_fraction() * state.preconditioner_step),
+  factorize(StageProblem(model_, *discretization_, there, response_, implicit_fraction() * state.preconditioner_step),
     unused, state.preconditioner_points, state.preconditioner_step);
 }
 
@@ -114,9 +106,9 @@ Stepper::Stage Stepper::solve_stage(
   State& state, const Points& points, double dt, const Eigen::VectorXd& reference) const
 {
   restore_preconditioner(state);
-  Stage stage{ shape(points), {} };
-  stokeslets_.assemble(points, stage.shape.surface, S_);
-  const StageProblem problem(model_, stage.shape, S_, implicit_fraction() * dt);
+  Stage stage{ discretization_->shape(points), {} };
+  discretization_->respond(stage.shape, response_);
+  const StageProblem problem(model_, *discretization_, stage.shape, response_, implicit_fraction() * dt);
   const double ratio = state.preconditioner_step > 0 ? dt / state.preconditioner_step : 0;
   const bool fresh = !(ratio < stale_step_ratio && ratio > 1 / stale_step_ratio) ||
     factorization_.size() != problem.unknowns();
@@ -167,7 +159,7 @@ State Stepper::attempt(const State& before, StepReport& report) const
   after.last_step = dt;
   after.step = before.step + 1;
   report = {};
-  const ShapeOperators start = shape(before.points);
+  const ShapeOperators start = discretization_->shape(before.points);
   const Eigen::VectorXd first = StageProblem::relative_to_centroid(start, flat(before.velocity));
   report.displacement = dt * largest_normal(start, first) / mean_edge(before.points, neighbours_);
 
@@ -186,18 +178,19 @@ State Stepper::attempt(const State& before, StepReport& report) const
   if (!report.finite)
     return after;
 
-  const SurfacePoints s = evaluate(table(), after.points);
-  report.area_change = model_.incompressible ? std::abs(vesicle::area(s) / start.area - 1) : 0;
-  report.volume_change = std::abs(vesicle::volume(table(), s) / start.volume - 1);
+  const Constraints reached = discretization_->constraints(after.points);
+  report.area_change = model_.incompressible ? std::abs(reached.area / start.area - 1) : 0;
+  report.volume_change = std::abs(reached.volume / start.volume - 1);
   if (model_.robust() && reason_to_reject(report, settings_.limits).empty())
   {
-    const ProjectionResult removed = project_area_and_volume(after.points, table(),
+    const ProjectionResult removed = project_area_and_volume(after.points, *discretization_,
       before.target_area, before.target_volume, !model_.incompressible || start.gauge_pinned);
     after.area_correction += removed.area_removed;
     after.volume_correction += removed.volume_removed;
     report.finite = after.points.allFinite();
     if (only_relaxes())
-      report.energy_rise = energy(after.points) / bending_energy(start.cotan, start.curvature) - 1;
+      report.energy_rise =
+        discretization_->bending_energy(after.points) / start.bending_energy - 1;
   }
   return after;
 }

@@ -11,6 +11,7 @@ namespace vesicle
 
 struct StepperSettings
 {
+  Scene::Basis basis = Scene::Basis::linear;
   Scene::Integrator integrator = Scene::Integrator::imex_midpoint;
   Scene::MeshMotion mesh_motion = Scene::MeshMotion::equidistribute;
   int quadrature = 3;
@@ -34,7 +35,7 @@ public:
   Stepper(
     const Model& model, const Triangles& triangles, int nodes, const StepperSettings& settings);
 
-  const BasisTable& table() const { return stokeslets_.table(); }
+  const Discretization& discretization() const { return *discretization_; }
   /// The rate that sets the pace: the largest of bending's 1, the flow's and buoyancy's.
   double scene_rate() const;
   /// The longest step that mesh motion allows at this state.
@@ -48,8 +49,6 @@ public:
   /// passed on.
   State attempt(const State& state, StepReport& report) const;
 
-  ShapeOperators shape(const Points& points) const;
-
 private:
   struct Stage
   {
@@ -62,18 +61,15 @@ private:
   void restore_preconditioner(const State& state) const;
   double implicit_fraction() const;
   bool only_relaxes() const; ///< nothing but bending moves the vesicle: its energy can't rise
-  double energy(const Points& points) const;
   Points node_velocity(
     const ShapeOperators& shape, const Points& points, const Points& velocity) const;
 
   Model model_;
-  Triangles triangles_;
-  LinearBasis basis_;
   StepperSettings settings_;
-  StokesletMatrix stokeslets_;
+  std::unique_ptr<Discretization> discretization_;
   AdjacencyList neighbours_;
   // Buffers and the factorisation that the state's preconditioner_points stand for.
-  mutable DenseMatrix S_;
+  mutable VelocityResponse response_;
   mutable DenseFactorization factorization_;
   mutable Points factorized_points_;
   mutable double factorized_step_ = 0;

@@ -30,13 +30,73 @@ BasisTable LinearBasis::tabulate(std::span<const ParametricPoint> points) const
   return table;
 }
 
-BasisTable tabulate_rule(const Basis& basis, std::span<const TrianglePoint> rule)
+SparseMatrix LinearBasis::collocation() const
+{
+  SparseMatrix P(nodes_, nodes_);
+  P.setIdentity();
+  return P;
+}
+
+Points LinearBasis::vertex_normals(const Points& control) const
+{
+  Points normals = Points::Zero(nodes_, 3);
+  for (const auto& t : triangles_.rowwise())
+  {
+    const Eigen::RowVector3d cross = Eigen::RowVector3d(control.row(t[1]) - control.row(t[0]))
+                                       .cross(Eigen::RowVector3d(control.row(t[2]) - control.row(t[0])));
+    for (int corner : t)
+      normals.row(corner) += cross;
+  }
+  normals.rowwise().normalize();
+  return normals;
+}
+
+namespace
+{
+
+// A triangle of the parametric domain by its corners.
+struct Cell
+{
+  std::array<Eigen::Vector2d, 3> corner;
+  std::array<bool, 3> rough;
+};
+
+void add_rule(std::vector<ParametricPoint>& points, int element, const Cell& cell,
+  std::span<const TrianglePoint> rule, double scale, int graded)
+{
+  const auto& [a, b, c] = cell.corner;
+  const auto& [rough_a, rough_b, rough_c] = cell.rough;
+  if (graded == 0 || !(rough_a || rough_b || rough_c))
+  {
+    for (const TrianglePoint& p : rule)
+    {
+      const Eigen::Vector2d x = a + p.u * (b - a) + p.v * (c - a);
+      points.push_back({ element, x[0], x[1], scale * p.weight });
+    }
+    return;
+  }
+  const Eigen::Vector2d ab = (a + b) / 2, bc = (b + c) / 2, ca = (c + a) / 2;
+  for (const Cell& child : { Cell{ { a, ab, ca }, { rough_a, false, false } },
+         Cell{ { ab, b, bc }, { false, rough_b, false } },
+         Cell{ { ca, bc, c }, { false, false, rough_c } }, Cell{ { bc, ca, ab }, {} } })
+    add_rule(points, element, child, rule, scale / 4, graded - 1);
+}
+
+}
+
+std::vector<ParametricPoint> Basis::rule(std::span<const TrianglePoint> rule, int graded) const
 {
   std::vector<ParametricPoint> points;
-  for (int e = 0; e < basis.elements().rows(); ++e)
-    for (const TrianglePoint& p : rule)
-      points.push_back({ e, p.u, p.v, p.weight });
-  return basis.tabulate(points);
+  for (int e = 0; e < elements().rows(); ++e)
+    add_rule(points, e,
+      { { Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1) }, rough_corners(e) },
+      rule, 1, graded);
+  return points;
+}
+
+BasisTable tabulate_rule(const Basis& basis, std::span<const TrianglePoint> rule, int graded)
+{
+  return basis.tabulate(basis.rule(rule, graded));
 }
 
 }

@@ -6,11 +6,16 @@
 #include "solver/geometry/Quadrature.h"
 #include "solver/mesh/TriangleMesh.h"
 
+#include <Eigen/SparseCore>
+
+#include <array>
 #include <span>
 #include <vector>
 
 namespace vesicle
 {
+
+using SparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
 /// Rows are quadrature points; the entries of row q are those from start[q] to start[q + 1].
 struct BasisTable
@@ -20,7 +25,8 @@ struct BasisTable
   std::vector<double> weight; ///< parametric weight of each row
   std::vector<int> start{ 0 };
   std::vector<int> node;             ///< of each entry
-  std::vector<double> value, du, dv; ///< N_k, ∂N_k/∂u, ∂N_k/∂v of each entry
+  std::vector<double> value, du, dv;     ///< N_k, ∂N_k/∂u, ∂N_k/∂v of each entry
+  std::vector<double> duu, duv, dvv;     ///< second derivatives; empty for linear elements
 
   int rows() const { return static_cast<int>(weight.size()); }
 };
@@ -33,6 +39,17 @@ public:
   virtual const Triangles& elements() const = 0;
   /// One row a point, in the order given.
   virtual BasisTable tabulate(std::span<const ParametricPoint> points) const = 0;
+  /// The triangle rule on every element, element by element; elements at extraordinary vertices, where the
+  /// parametrisation isn't smooth, are halved `graded` times towards them.
+  std::vector<ParametricPoint> rule(std::span<const TrianglePoint> rule, int graded) const;
+  /// P: surface points at the mesh's vertices = P · control points. Velocities are collocated there.
+  virtual SparseMatrix collocation() const = 0;
+  /// Unit outward normals at the vertices: N by 3.
+  virtual Points vertex_normals(const Points& control) const = 0;
+
+protected:
+  /// Corners where an element's parametrisation isn't smooth.
+  virtual std::array<bool, 3> rough_corners(int element) const = 0;
 };
 
 /// Flat triangles: the three corners' barycentric coordinates.
@@ -43,13 +60,19 @@ public:
   int nodes() const override { return nodes_; }
   const Triangles& elements() const override { return triangles_; }
   BasisTable tabulate(std::span<const ParametricPoint> points) const override;
+  SparseMatrix collocation() const override;
+  Points vertex_normals(const Points& control) const override;
+
+protected:
+  std::array<bool, 3> rough_corners(int) const override { return {}; }
 
 private:
   Triangles triangles_;
   int nodes_;
 };
 
-/// The same triangle rule on every element, element by element.
-BasisTable tabulate_rule(const Basis& basis, std::span<const TrianglePoint> rule);
+/// The triangle rule on every element.
+BasisTable tabulate_rule(
+  const Basis& basis, std::span<const TrianglePoint> rule, int graded = 0);
 
 }

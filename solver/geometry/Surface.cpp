@@ -59,6 +59,29 @@ SurfacePoints evaluate(const BasisTable& table, const Points& nodes)
   return s;
 }
 
+Eigen::VectorXd mean_curvature(
+  const BasisTable& table, const SurfacePoints& s, const Points& nodes)
+{
+  Eigen::VectorXd mean(table.rows());
+  for (int q = 0; q < table.rows(); ++q)
+  {
+    Row3 uu = Row3::Zero(), uv = uu, vv = uu;
+    for (int k = table.start[q]; k < table.start[q + 1]; ++k)
+    {
+      const auto x = nodes.row(table.node[k]);
+      uu += table.duu[k] * x;
+      uv += table.duv[k] * x;
+      vv += table.dvv[k] * x;
+    }
+    const Row3 a = s.tangent_u.row(q), b = s.tangent_v.row(q), c = s.cross.row(q);
+    const double J = c.norm();
+    mean[q] = -0.5 *
+      (b.squaredNorm() * uu.dot(c) - 2 * a.dot(b) * uv.dot(c) + a.squaredNorm() * vv.dot(c)) /
+      (J * J * J);
+  }
+  return mean;
+}
+
 double area(const SurfacePoints& surface)
 {
   return surface.area_weight.sum();

@@ -10,7 +10,6 @@
 namespace vesicle
 {
 
-using SparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 /// #rows by 3, one component a column: structure of arrays.
 using RowVectors = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
@@ -22,6 +21,10 @@ struct SurfacePoints
   Eigen::VectorXd area_weight; ///< weight · |a_u × a_v|: the rows' share of the area
 };
 SurfacePoints evaluate(const BasisTable& table, const Points& nodes);
+
+/// H = −½ a^{αβ} ∂²x/∂α∂β · n at the rows, for bases with second derivatives; +1/R on a sphere.
+Eigen::VectorXd mean_curvature(
+  const BasisTable& table, const SurfacePoints& surface, const Points& nodes);
 
 double area(const SurfacePoints& surface);
 /// Enclosed volume, (1/3) ∮ x·n dS, with x taken from the first row's position.

@@ -20,48 +20,160 @@ namespace
 using Lanes = double __attribute__((vector_size(8 * stokeslet_lanes)));
 using LaneBits = long long __attribute__((vector_size(8 * stokeslet_lanes)));
 
+// Inlined into each of its callers' versions.
+#define VESICLE_INLINE inline __attribute__((always_inline))
+
+struct Targets
+{
+  Lanes x, y, z, mask;
+};
+
+VESICLE_INLINE void load(Lanes& lanes, const double* from)
+{
+  std::memcpy(&lanes, from, sizeof lanes);
+}
+
+VESICLE_INLINE void load(Targets& t, const double* targets, const double* mask)
+{
+  load(t.x, targets);
+  load(t.y, targets + stokeslet_lanes);
+  load(t.z, targets + 2 * stokeslet_lanes);
+  load(t.mask, mask);
+}
+
+// X = y − x, weight/r and weight/r³ of one source point.
+struct Pair
+{
+  Lanes dx, dy, dz, over_r, over_r3;
+};
+
+VESICLE_INLINE void evaluate(Pair& p, const StokesletSources& s, int q, const Targets& t)
+{
+  p.dx = s.x[q] - t.x;
+  p.dy = s.y[q] - t.y;
+  p.dz = s.z[q] - t.z;
+  const Lanes r2 = p.dx * p.dx + p.dy * p.dy + p.dz * p.dz;
+  // 1/√r² from a seed by its exponent (3% off); each Newton step squares the error, four reach double
+  // precision. Vector square roots and divisions are slower and don't vectorise portably.
+  LaneBits bits;
+  std::memcpy(&bits, &r2, sizeof bits);
+  bits = 0x5fe6eb50c7b537a9LL - (bits >> 1);
+  Lanes inverse;
+  std::memcpy(&inverse, &bits, sizeof inverse);
+  const Lanes half = 0.5 * r2;
+  inverse *= 1.5 - half * inverse * inverse;
+  inverse *= 1.5 - half * inverse * inverse;
+  inverse *= 1.5 - half * inverse * inverse;
+  inverse *= 1.5 - half * inverse * inverse;
+  p.over_r = s.weight[q] * t.mask * inverse;
+  p.over_r3 = p.over_r * inverse * inverse;
+}
+
+// weight G d for a vector d of the source point.
+VESICLE_INLINE void apply(Lanes g[3], const Pair& p, double x, double y, double z)
+{
+  const Lanes along = p.over_r3 * (x * p.dx + y * p.dy + z * p.dz);
+  g[0] = x * p.over_r + along * p.dx;
+  g[1] = y * p.over_r + along * p.dy;
+  g[2] = z * p.over_r + along * p.dz;
+}
+
+VESICLE_INLINE double* entry_of(double* sum, int node)
+{
+  return sum + static_cast<long>(node) * (stokeslet_components * stokeslet_lanes);
+}
+
+}
+
+// Rows of one element feel the same nodes: up to this many are added to a node at once.
+constexpr int group_size = 6;
+
+VESICLE_INLINE int group_end(const StokesletSources& s, int q, int end)
+{
+  int last = q + 1;
+  while (last < end && last < q + group_size && s.element[last] == s.element[q])
+    ++last;
+  return last;
 }
 
 VESICLE_MULTIVERSION
 void add_stokeslets(const StokesletSources& s, int begin, int end, const double* targets,
   const double* mask, double* sum)
 {
-  Lanes target_x, target_y, target_z, lane_mask;
-  std::memcpy(&target_x, targets, sizeof(Lanes));
-  std::memcpy(&target_y, targets + stokeslet_lanes, sizeof(Lanes));
-  std::memcpy(&target_z, targets + 2 * stokeslet_lanes, sizeof(Lanes));
-  std::memcpy(&lane_mask, mask, sizeof(Lanes));
-  for (int q = begin; q < end; ++q)
+  Targets t;
+  load(t, targets, mask);
+  for (int q = begin, last; q < end; q = last)
   {
-    const Lanes dx = s.x[q] - target_x, dy = s.y[q] - target_y, dz = s.z[q] - target_z;
-    const Lanes r2 = dx * dx + dy * dy + dz * dz;
-    // 1/√r² from a seed by its exponent (3% off); each Newton step squares the error, four reach
-    // double precision. Vector square roots and divisions are slower and don't vectorise portably.
-    LaneBits bits;
-    std::memcpy(&bits, &r2, sizeof bits);
-    bits = 0x5fe6eb50c7b537a9LL - (bits >> 1);
-    Lanes inverse;
-    std::memcpy(&inverse, &bits, sizeof inverse);
-    const Lanes half = 0.5 * r2;
-    inverse *= 1.5 - half * inverse * inverse;
-    inverse *= 1.5 - half * inverse * inverse;
-    inverse *= 1.5 - half * inverse * inverse;
-    inverse *= 1.5 - half * inverse * inverse;
-
-    const Lanes over_r = s.weight[q] * lane_mask * inverse;
-    const Lanes over_r3 = over_r * inverse * inverse;
-    const Lanes hx = over_r3 * dx, hy = over_r3 * dy, hz = over_r3 * dz;
-    const Lanes g[6] = { over_r + hx * dx, hx * dy, hx * dz, over_r + hy * dy, hy * dz,
-      over_r + hz * dz };
-    for (int k = s.start[q]; k < s.start[q + 1]; ++k)
+    last = group_end(s, q, end);
+    const int rows = last - q, width = s.start[q + 1] - s.start[q];
+    Lanes g[group_size][6];
+    for (int r = 0; r < rows; ++r)
     {
-      double* entry = sum + static_cast<long>(s.node[k]) * (6 * stokeslet_lanes);
+      Pair p;
+      evaluate(p, s, q + r, t);
+      const Lanes hx = p.over_r3 * p.dx, hy = p.over_r3 * p.dy, hz = p.over_r3 * p.dz;
+      g[r][0] = p.over_r + hx * p.dx;
+      g[r][1] = hx * p.dy;
+      g[r][2] = hx * p.dz;
+      g[r][3] = p.over_r + hy * p.dy;
+      g[r][4] = hy * p.dz;
+      g[r][5] = p.over_r + hz * p.dz;
+    }
+    const double* value = s.value + s.start[q];
+    for (int k = 0; k < width; ++k)
+    {
+      double* entry = entry_of(sum, s.node[s.start[q] + k]);
       for (int c = 0; c < 6; ++c)
       {
         Lanes total;
-        std::memcpy(&total, entry + c * stokeslet_lanes, sizeof total);
-        total += s.value[k] * g[c];
+        load(total, entry + c * stokeslet_lanes);
+        for (int r = 0; r < rows; ++r)
+          total += value[r * width + k] * g[r][c];
         std::memcpy(entry + c * stokeslet_lanes, &total, sizeof total);
+      }
+    }
+  }
+}
+
+VESICLE_MULTIVERSION
+void add_surface_densities(const SurfaceSources& s, int begin, int end, const double* targets,
+  const double* mask, double* sum)
+{
+  Targets t;
+  load(t, targets, mask);
+  const int n = s.rows;
+  for (int q = begin, last; q < end; q = last)
+  {
+    last = group_end(s, q, end);
+    const int rows = last - q, first = s.start[q], width = s.start[q + 1] - first;
+    Lanes normal[group_size][3], along_u[group_size][3], along_v[group_size][3];
+    for (int r = 0; r < rows; ++r)
+    {
+      Pair p;
+      const int i = q + r;
+      evaluate(p, s, i, t);
+      apply(normal[r], p, s.normal[i], s.normal[i + n], s.normal[i + 2 * n]);
+      apply(along_u[r], p, s.dual_u[i], s.dual_u[i + n], s.dual_u[i + 2 * n]);
+      apply(along_v[r], p, s.dual_v[i], s.dual_v[i + n], s.dual_v[i + 2 * n]);
+    }
+    for (int k = 0; k < width; ++k)
+    {
+      double* entry = entry_of(sum, s.node[first + k]);
+      for (int c = 0; c < 3; ++c)
+      {
+        Lanes from_normal, from_tension;
+        load(from_normal, entry + c * stokeslet_lanes);
+        load(from_tension, entry + (3 + c) * stokeslet_lanes);
+        for (int r = 0; r < rows; ++r)
+        {
+          const int i = first + r * width + k;
+          const Lanes along = s.value[i] * normal[r][c];
+          from_normal += along;
+          from_tension +=
+            s.du[i] * along_u[r][c] + s.dv[i] * along_v[r][c] - s.twice_mean[q + r] * along;
+        }
+        std::memcpy(entry + c * stokeslet_lanes, &from_normal, sizeof from_normal);
+        std::memcpy(entry + (3 + c) * stokeslet_lanes, &from_tension, sizeof from_tension);
       }
     }
   }

@@ -1,0 +1,121 @@
+#include "solver/membrane/SurfaceBending.h"
+
+#include <vector>
+
+namespace vesicle
+{
+
+namespace
+{
+
+using Row3 = Eigen::RowVector3d;
+
+// Σ_rows w_r a_j a_k for entry values a: the pattern of all products of a row's entries.
+template<class Value>
+SparseMatrix gram_matrix(const BasisTable& table, const SurfacePoints& surface, Value value)
+{
+  // Rows of one element have the same nodes: their products are added up before they are sorted.
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int q = 0, last; q < table.rows(); q = last)
+  {
+    const int width = table.start[q + 1] - table.start[q];
+    Eigen::MatrixXd local = Eigen::MatrixXd::Zero(width, width);
+    for (last = q; last < table.rows() && table.element[last] == table.element[q]; ++last)
+    {
+      Eigen::VectorXd a(width);
+      for (int k = 0; k < width; ++k)
+        a[k] = value(last, table.start[last] + k);
+      local += surface.area_weight[last] * a * a.transpose();
+    }
+    const int* node = table.node.data() + table.start[q];
+    for (int j = 0; j < width; ++j)
+      for (int k = 0; k < width; ++k)
+        entries.emplace_back(node[j], node[k], local(j, k));
+  }
+  SparseMatrix gram(table.nodes, table.nodes);
+  gram.setFromTriplets(entries.begin(), entries.end());
+  return gram;
+}
+
+}
+
+RowCurvature row_curvature(
+  const BasisTable& table, const SurfacePoints& s, const Points& control)
+{
+  RowCurvature c{ Eigen::VectorXd(table.rows()), Eigen::VectorXd(table.rows()),
+    std::vector<double>(table.node.size()) };
+  for (int q = 0; q < table.rows(); ++q)
+  {
+    Row3 uu = Row3::Zero(), uv = uu, vv = uu;
+    for (int k = table.start[q]; k < table.start[q + 1]; ++k)
+    {
+      const auto x = control.row(table.node[k]);
+      uu += table.duu[k] * x;
+      uv += table.duv[k] * x;
+      vv += table.dvv[k] * x;
+    }
+    const Row3 a = s.tangent_u.row(q), b = s.tangent_v.row(q), cross = s.cross.row(q);
+    const double J = cross.norm(), g_uu = b.squaredNorm() / (J * J), g_uv = -a.dot(b) / (J * J),
+                 g_vv = a.squaredNorm() / (J * J);
+    const Row3 n = cross / J, dual_u = b.cross(n) / J, dual_v = n.cross(a) / J;
+    c.mean[q] = -0.5 * (g_uu * uu.dot(n) + 2 * g_uv * uv.dot(n) + g_vv * vv.dot(n));
+    c.gauss[q] = (uu.dot(n) * vv.dot(n) - uv.dot(n) * uv.dot(n)) / (J * J);
+    // a^{αβ} Γ^γ_{αβ}, Γ^γ_{αβ} = ∂_α∂_β x · a^γ.
+    const Row3 trace = g_uu * uu + 2 * g_uv * uv + g_vv * vv;
+    const double along_u = trace.dot(dual_u), along_v = trace.dot(dual_v);
+    for (int k = table.start[q]; k < table.start[q + 1]; ++k)
+      c.laplacian[k] = g_uu * table.duu[k] + 2 * g_uv * table.duv[k] + g_vv * table.dvv[k] -
+        along_u * table.du[k] - along_v * table.dv[k];
+  }
+  return c;
+}
+
+double bending_energy(const SurfacePoints& surface, const RowCurvature& c)
+{
+  return 2 * surface.area_weight.dot(c.mean.cwiseAbs2());
+}
+
+Eigen::VectorXd bending_load(
+  const BasisTable& table, const SurfacePoints& surface, const RowCurvature& c)
+{
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(table.nodes);
+  for (int q = 0; q < table.rows(); ++q)
+  {
+    const double H = c.mean[q], local = 4 * H * (H * H - c.gauss[q]);
+    for (int k = table.start[q]; k < table.start[q + 1]; ++k)
+      load[table.node[k]] +=
+        surface.area_weight[q] * (2 * H * c.laplacian[k] + local * table.value[k]);
+  }
+  return load;
+}
+
+SparseMatrix bending_hessian(
+  const BasisTable& table, const SurfacePoints& surface, const RowCurvature& c)
+{
+  return gram_matrix(table, surface, [&](int q, int k) {
+    return c.laplacian[k] + (4 * c.mean[q] * c.mean[q] - 2 * c.gauss[q]) * table.value[k];
+  });
+}
+
+SparseMatrix bilaplacian(
+  const BasisTable& table, const SurfacePoints& surface, const RowCurvature& c)
+{
+  return gram_matrix(table, surface, [&](int, int k) { return c.laplacian[k]; });
+}
+
+SparseMatrix mass_matrix(const BasisTable& table, const SurfacePoints& surface)
+{
+  return gram_matrix(table, surface, [&](int, int k) { return table.value[k]; });
+}
+
+Eigen::VectorXd moments(
+  const BasisTable& table, const SurfacePoints& surface, const Eigen::VectorXd& f)
+{
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(table.nodes);
+  for (int q = 0; q < table.rows(); ++q)
+    for (int k = table.start[q]; k < table.start[q + 1]; ++k)
+      result[table.node[k]] += surface.area_weight[q] * f[q] * table.value[k];
+  return result;
+}
+
+}
