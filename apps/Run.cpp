@@ -3,6 +3,7 @@
 #include "apps/Commands.h"
 #include "apps/Interrupt.h"
 #include "apps/RunMovie.h"
+#include "apps/RunPlots.h"
 #include "apps/RunResume.h"
 
 #include "solver/Errors.h"
@@ -202,8 +203,27 @@ void Run::require_movie_color()
   }
 }
 
+// Plots, like the movie, need something that draws; a run is not failed for that.
+void Run::write_plots(const std::vector<Row>& rows)
+{
+  try
+  {
+    make_folder(folder_.plots());
+    write_run_plots(scene_, rows, folder_.plots());
+  }
+  catch (const IoError&)
+  {
+    throw;
+  }
+  catch (const std::runtime_error& error)
+  {
+    progress_->say(fmt::format("no plots: {}", error.what()));
+  }
+}
+
 void Run::finish()
 {
+  const std::vector<Row> rows = checkpoint_->series();
   checkpoint_.reset(); // closed, and free for others to read
   RunSummary summary;
   summary.scene = scene_;
@@ -231,6 +251,7 @@ void Run::finish()
   }
   else if (options_.movie)
   {
+    write_plots(rows);
     summary.movie_note = make_run_movie(scene_, folder_, series_.files(), *progress_);
     write_summary(summary, folder_.summary());
   }

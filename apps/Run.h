@@ -51,6 +51,7 @@ private:
   void record();
   void append_frame();
   void require_movie_color();
+  void write_plots(const std::vector<Row>& rows);
   bool is_failed();
   std::string outcome();
   RunFile create_checkpoint() const;

@@ -79,6 +79,7 @@ std::vector<path> RunFolder::leftovers() const
   { found.insert(found.end(), files.begin(), files.end()); };
   add(matching(folder_ / "frames", std::regex(literally(name_) + R"(_\d{6,}(\.part)?\.vtu)")));
   add(matching(pictures(), std::regex(R"(frame_\d{6,}\.png)")));
+  add(matching(plots(), std::regex(R"([a-z]+\.png)")));
   return found;
 }
 
@@ -100,6 +101,7 @@ void RunFolder::clear() const
   std::error_code not_empty;
   std::filesystem::remove(folder_ / "frames", not_empty);
   std::filesystem::remove(pictures(), not_empty);
+  std::filesystem::remove(plots(), not_empty);
 }
 
 }

@@ -18,6 +18,7 @@ public:
   std::filesystem::path table() const { return file(".csv"); }
   std::filesystem::path film() const { return file(".mp4"); }
   std::filesystem::path pictures() const { return folder_ / "movie"; }
+  std::filesystem::path plots() const { return folder_ / "plots"; }
   std::filesystem::path summary() const { return folder_ / "summary.json"; }
 
   /// The files of an existing run; empty if there is none.

@@ -16,6 +16,9 @@ constexpr double degrees = 180 / std::numbers::pi;
 // Two semi-axes closer than this, relatively, have no direction worth reporting.
 constexpr double degenerate_axes = 1e-6;
 
+// A long axis along z is reported as +90° whatever the rounding.
+constexpr double vertical_slack = 1e-6;
+
 using Row3 = Eigen::RowVector3d;
 
 // ∫ (x − c)(x − c)ᵀ dV, summed over tetrahedra from the centroid c.
@@ -55,7 +58,7 @@ InertiaEllipsoid inertia_ellipsoid(const TriangleMesh& mesh)
     if (std::hypot(axis.x(), axis.z()) > degenerate_axes)
     {
       double angle = degrees * std::atan2(axis.z(), axis.x());
-      if (angle <= -90)
+      if (angle <= -90 + vertical_slack)
         angle += 180;
       else if (angle > 90)
         angle -= 180;

@@ -106,6 +106,7 @@ struct Simulation::Impl
 
   std::optional<double> next_target(const State& state) const;
   void plan_next_step(State& state) const;
+  bool overshoots(const State& state) const;
   bool steady(const State& state) const;
 };
 
@@ -126,9 +127,16 @@ void Simulation::Impl::plan_next_step(State& state) const
   double dt = state.free_step;
   if (settings.adaptive && state.velocity.rows() > 0)
     dt = std::min(dt, stepper.longest_step(state));
-  if (const auto target = next_target(state))
+  if (const auto target = next_target(state); target && *target > state.time)
     dt = step_towards(dt, state.time / scales.time(), *target / scales.time());
   state.next_step = dt;
+}
+
+// True for the last state of a run whose end has been put off since.
+bool Simulation::Impl::overshoots(const State& state) const
+{
+  const auto target = next_target(state);
+  return target && state.next_step > (*target - state.time) / scales.time() * (1 + 1e-9);
 }
 
 bool Simulation::Impl::steady(const State& state) const
@@ -185,6 +193,11 @@ State Simulation::step(const State& before) const
 {
   const Impl& impl = *impl_;
   State from = before;
+  if (impl.overshoots(from))
+  {
+    impl.plan_next_step(from);
+    impl.stepper.solve(from);
+  }
   std::string reason;
   for (int attempt = 0; attempt < max_attempts; ++attempt)
   {
