@@ -1,0 +1,106 @@
+// vesicle curvature: the curvature filter on a mesh file.
+
+#include "apps/Commands.h"
+
+#include "solver/Errors.h"
+#include "vtkfilters/Filters/MeshFiles.h"
+#include "vtkfilters/Filters/VtkMessages.h"
+
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVesicleCurvatureFilter.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <iostream>
+#include <memory>
+
+namespace vesicle
+{
+namespace
+{
+
+struct CurvatureOptions
+{
+  std::string mesh;
+  std::string output;
+  std::string scheme = "cotan";
+  double rigidity = 1;
+};
+
+vtkIdType undefined_vertices(vtkPolyData* surface)
+{
+  auto* valid =
+    vtkUnsignedCharArray::SafeDownCast(surface->GetPointData()->GetArray("Curvature_Valid"));
+  vtkIdType undefined = 0;
+  for (vtkIdType i = 0; i < valid->GetNumberOfValues(); ++i)
+  {
+    undefined += valid->GetValue(i) == 0;
+  }
+  return undefined;
+}
+
+void warn(const std::string& mesh, const std::string& text)
+{
+  if (!text.empty())
+  {
+    std::cerr << "vesicle: " << mesh << ": " << text << '\n';
+  }
+}
+
+int write_curvature(const CurvatureOptions& options)
+{
+  require_mesh_ending(options.output);
+  const auto surface = read_mesh(options.mesh);
+  vtkNew<vtkVesicleCurvatureFilter> filter;
+  filter->SetInputData(surface);
+  filter->SetSchemeByName(options.scheme.c_str());
+  filter->SetBendingRigidity(options.rigidity);
+  {
+    const VtkMessages messages;
+    filter->Update();
+    if (messages.any_error())
+    {
+      throw InputError(options.mesh + ": " + messages.first_error());
+    }
+    warn(options.mesh, messages.first_warning());
+  }
+  write_mesh(filter->GetOutput(), options.output);
+  const vtkIdType undefined = undefined_vertices(filter->GetOutput());
+  if (undefined > 0)
+  {
+    warn(options.mesh,
+      fmt::format("curvature is undefined at {} of {} vertices (open border, torn or "
+                  "unused); see Curvature_Valid",
+        undefined, surface->GetNumberOfPoints()));
+  }
+  return exit_code::done;
+}
+
+}
+
+void add_curvature_command(CLI::App& app, Action& action)
+{
+  auto options = std::make_shared<CurvatureOptions>();
+  auto* command =
+    app.add_subcommand("curvature", "Curvatures and bending force of any triangle mesh");
+  command->add_option("mesh", options->mesh, "Mesh (.vtu .vtp .vtk .stl .ply .obj .off)")
+    ->required();
+  command
+    ->add_option("-o,--output", options->output, "File to write; .vtu, .vtp and .vtk hold arrays")
+    ->required();
+  command->add_option("--scheme", options->scheme, "How curvatures are found")
+    ->check(CLI::IsMember({ "cotan" }))
+    ->capture_default_str();
+  command->add_option("--bending-rigidity", options->rigidity, "EB, multiplies the force")
+    ->check(CLI::NonNegativeNumber)
+    ->capture_default_str();
+  command->footer("Example: vesicle curvature cell.ply -o cell.vtu");
+  command->callback(
+    [options, &action] { action = [options] { return write_curvature(*options); }; });
+}
+
+}

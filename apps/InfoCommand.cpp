@@ -1,0 +1,102 @@
+// vesicle info: what a mesh is.
+
+#include "apps/Commands.h"
+#include "apps/MeshReport.h"
+
+#include "vtkfilters/Filters/MeshConversion.h"
+#include "vtkfilters/Filters/MeshFiles.h"
+#include "vtkfilters/Filters/SeriesFile.h"
+
+#include "vtkPolyData.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace vesicle
+{
+namespace
+{
+
+struct InfoOptions
+{
+  std::string file;
+  bool json = false;
+};
+
+MeshReport report_of(const std::filesystem::path& file)
+{
+  const TriangleMesh mesh = to_mesh(read_mesh(file));
+  check_indices(mesh, file.string());
+  return MeshReport(mesh);
+}
+
+void print_mesh(const InfoOptions& options)
+{
+  const MeshReport report = report_of(options.file);
+  if (options.json)
+  {
+    fmt::print("{}\n", to_json(report).dump(2));
+    return;
+  }
+  fmt::print("{}\n{}", options.file, to_text(report));
+}
+
+/// A frame a line; as JSON an array of the meshes' objects with time and file.
+void print_series(const InfoOptions& options)
+{
+  auto all = nlohmann::ordered_json::array();
+  if (!options.json)
+  {
+    fmt::print("{:>12} {:>10} {:>14} {:>14} {:>14} {:>12} {:>10} {:>10}\n", "time", "triangles",
+      "area", "volume", "reduced volume", "E/8piEB", "min angle", "edge ratio");
+  }
+  for (const auto& frame : read_series(options.file))
+  {
+    const MeshReport r = report_of(frame.file);
+    if (options.json)
+    {
+      nlohmann::ordered_json entry{ { "time", frame.time }, { "file", frame.file.string() } };
+      entry.update(to_json(r));
+      all.push_back(entry);
+      continue;
+    }
+    const auto cell = [](std::optional<double> value)
+    { return value ? fmt::format("{:.8g}", *value) : std::string("-"); };
+    fmt::print("{:>12.6g} {:>10} {:>14.8g} {:>14} {:>14} {:>12} {:>10.2f} {:>10.3f}\n", frame.time,
+      r.triangles, r.area, cell(r.volume), cell(r.reduced_volume), cell(r.energy_over_8pi),
+      r.quality.min_angle_deg, r.quality.edge_ratio);
+  }
+  if (options.json)
+  {
+    fmt::print("{}\n", all.dump(2));
+  }
+}
+
+}
+
+void add_info_command(CLI::App& app, Action& action)
+{
+  auto options = std::make_shared<InfoOptions>();
+  auto* command =
+    app.add_subcommand("info", "Area, volume, reduced volume, energy and quality of a mesh");
+  command
+    ->add_option("mesh", options->file,
+      "Mesh (.vtu .vtp .vtk .stl .ply .obj .off) or series (.pvd .vtu.series)")
+    ->required();
+  command->add_flag("--json", options->json, "Print JSON");
+  command->footer("Example: vesicle info cell.stl --json");
+  command->callback(
+    [options, &action]
+    {
+      action = [options]
+      {
+        is_series(options->file) ? print_series(*options) : print_mesh(*options);
+        return exit_code::done;
+      };
+    });
+}
+
+}

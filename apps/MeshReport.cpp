@@ -1,0 +1,92 @@
+#include "apps/MeshReport.h"
+
+#include "solver/membrane/Bending.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace vesicle
+{
+namespace
+{
+
+long used_vertices(const TriangleMesh& mesh)
+{
+  const Connectivity connectivity(mesh.triangles, static_cast<int>(mesh.points.rows()));
+  long used = 0;
+  for (int i = 0; i < mesh.points.rows(); ++i)
+  {
+    used += connectivity.vertex_triangles.size(i) > 0;
+  }
+  return used;
+}
+
+double energy_over_8pi(const TriangleMesh& mesh)
+{
+  const CotanGeometry geometry(mesh.points, mesh.triangles);
+  const auto curvature = cotan_curvature(geometry, mesh.points, NormalScheme::area_weighted);
+  return bending_energy(geometry, curvature) / (8 * std::numbers::pi);
+}
+
+/// null where there is no finite number: JSON has none other.
+nlohmann::ordered_json number(std::optional<double> value)
+{
+  return value && std::isfinite(*value) ? nlohmann::ordered_json(*value) : nullptr;
+}
+
+std::string text(std::optional<double> value)
+{
+  return value ? fmt::format("{:.8g}", *value) : "undefined (the mesh isn't closed and oriented)";
+}
+
+}
+
+MeshReport::MeshReport(const TriangleMesh& mesh)
+  : vertices(used_vertices(mesh)), triangles(mesh.triangles.rows()),
+    topology(vesicle::topology(mesh)), quality(mesh_quality(mesh)), area(flat_area(mesh))
+{
+  if (topology.closed && topology.oriented)
+  {
+    volume = flat_volume(mesh);
+    reduced_volume = vesicle::reduced_volume(area, std::abs(*volume));
+    energy_over_8pi = vesicle::energy_over_8pi(mesh);
+  }
+}
+
+nlohmann::ordered_json to_json(const MeshReport& r)
+{
+  return { { "vertices", r.vertices }, { "triangles", r.triangles },
+    { "closed", r.topology.closed }, { "oriented", r.topology.oriented },
+    { "components", r.topology.components }, { "genus", r.topology.genus },
+    { "area", number(r.area) }, { "volume", number(r.volume) },
+    { "reduced_volume", number(r.reduced_volume) },
+    { "energy_over_8pi", number(r.energy_over_8pi) },
+    { "min_angle_deg", number(r.quality.min_angle_deg) },
+    { "edge_ratio", number(r.quality.edge_ratio) } };
+}
+
+std::string to_text(const MeshReport& r)
+{
+  const bool inward = r.volume && *r.volume < 0;
+  return fmt::format("  vertices         {}\n"
+                     "  triangles        {}\n"
+                     "  closed           {}\n"
+                     "  oriented         {}\n"
+                     "  components       {}\n"
+                     "  genus            {}\n"
+                     "  area             {:.8g}\n"
+                     "  volume           {}\n"
+                     "  reduced volume   {}\n"
+                     "  energy / 8 pi EB {}\n"
+                     "  smallest angle   {:.2f} degrees\n"
+                     "  edge ratio       {:.3f}\n",
+    r.vertices, r.triangles, r.topology.closed ? "yes" : "no",
+    r.topology.oriented ? (inward ? "yes, inward" : "yes") : "no", r.topology.components,
+    r.topology.genus, r.area, text(r.volume), text(r.reduced_volume), text(r.energy_over_8pi),
+    r.quality.min_angle_deg, r.quality.edge_ratio);
+}
+
+}

@@ -1,0 +1,33 @@
+#pragma once
+// What `vesicle info` says of a mesh.
+
+#include "solver/mesh/MeshQuality.h"
+#include "solver/mesh/TriangleMesh.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <optional>
+#include <string>
+
+namespace vesicle
+{
+
+struct MeshReport
+{
+  explicit MeshReport(const TriangleMesh& mesh);
+
+  long vertices = 0; ///< those that a triangle uses
+  long triangles = 0;
+  Topology topology;
+  MeshQuality quality;
+  double area = 0;
+  std::optional<double> volume;         ///< of a closed, oriented mesh; negative if it faces inward
+  std::optional<double> reduced_volume; ///< of |volume|
+  std::optional<double> energy_over_8pi; ///< of a closed, oriented mesh: bending energy over 8π EB
+};
+
+/// The keys of the output contract; null where undefined.
+nlohmann::ordered_json to_json(const MeshReport& report);
+std::string to_text(const MeshReport& report);
+
+}

@@ -1,0 +1,260 @@
+#include "apps/Run.h"
+
+#include "apps/Commands.h"
+#include "apps/Interrupt.h"
+#include "apps/RunMovie.h"
+#include "apps/RunPlots.h"
+#include "apps/RunResume.h"
+
+#include "solver/Errors.h"
+#include "solver/dynamics/Simulation.h"
+#include "solver/scene/SceneFile.h"
+#include "vtkfilters/Filters/FileBytes.h"
+#include "vtkfilters/Filters/Trajectory.h"
+#include "vtkfilters/Filters/VtkMessages.h"
+
+#include "vtkPolyData.h"
+
+#include <fmt/format.h>
+
+namespace vesicle
+{
+
+Run::Run(Scene scene, const std::filesystem::path& folder, const RunOptions& options)
+  : scene_(std::move(scene)), folder_(folder, scene_.name), options_(options),
+    began_(std::chrono::steady_clock::now()), series_(folder, scene_.name)
+{
+  stepper_->SetScene(scene_);
+  stepper_->SetCacheSize(1); // never goes back
+  stepper_->AddObserver(vtkVesicleStepper::StepAcceptedEvent, this, &Run::on_step);
+}
+
+int Run::carry_out()
+{
+  watch_for_interrupts();
+  const bool existing = !folder_.leftovers().empty();
+  if (existing && !options_.resume && !options_.overwrite)
+  {
+    throw InputError(
+      fmt::format("{}: there is a run already; go on with it by --resume, replace it by "
+                  "--overwrite, or choose another folder by -o",
+        folder_.folder().string()));
+  }
+  if (existing && options_.resume)
+  {
+    go_on();
+  }
+  else
+  {
+    start_anew();
+  }
+  while (!stepper_->GetFinished() && !interrupted() && !is_failed())
+  {
+    advance();
+  }
+  finish();
+  return interrupted() ? exit_code::interrupted : exit_code::done;
+}
+
+void Run::start_anew()
+{
+  update_to(0);
+  require_movie_color();
+  if (options_.overwrite)
+  {
+    folder_.clear();
+  }
+  make_folder(folder_.folder());
+  checkpoint_ = create_checkpoint();
+  table_.emplace(folder_.table(), std::vector<Row>{});
+  progress_.emplace(options_.quiet, 0, scene_.time.end);
+  if (!stepper_->GetSimulation()->notes().empty())
+  {
+    progress_->say(stepper_->GetSimulation()->notes());
+  }
+  record();
+  append_frame();
+}
+
+void Run::go_on()
+{
+  const auto file = folder_.checkpoint();
+  if (!std::filesystem::exists(file))
+  {
+    throw InputError(
+      file.string() + ": there is no checkpoint to go on from; start anew with --overwrite");
+  }
+  checkpoint_ = RunFile::open(file);
+  require_same_scene(scene_, *checkpoint_, file);
+  stepper_->SetState(checkpoint_->state());
+  update_to(checkpoint_->state().time);
+  require_same_mesh(*stepper_->GetSimulation(), *checkpoint_, file);
+  require_movie_color();
+
+  const State& state = *stepper_->GetState();
+  const bool on_output = at_output_time(scene_, state);
+  first_step_ = state.step;
+  resumed_ = true;
+  // Whatever was written of the last moment before the run ended is written again.
+  table_.emplace(folder_.table(), checkpoint_->series());
+  series_.keep(static_cast<std::size_t>(on_output ? state.output - 1 : state.output));
+  if (on_output || stepper_->GetFinished())
+  {
+    append_frame();
+  }
+  progress_.emplace(options_.quiet, state.time, scene_.time.end);
+  progress_->say(fmt::format("going on from step {}, t = {:.6g}", state.step, state.time));
+}
+
+void Run::advance()
+{
+  update_to(next_output_time(scene_, *stepper_->GetState()).value_or(VTK_DOUBLE_MAX));
+  if (series_.frames().back().time != stepper_->GetStateTime())
+  {
+    append_frame(); // after Ctrl-C or a failure too: the last state is always there
+  }
+}
+
+void Run::update_to(double time)
+{
+  const VtkMessages messages; // they come back as the stepper's error
+  stepper_->UpdateTimeStep(time);
+  if (failure_)
+  {
+    std::rethrow_exception(failure_);
+  }
+  switch (stepper_->GetErrorCategory())
+  {
+    case vtkVesicleStepper::InputFailure:
+      throw InputError(stepper_->GetErrorMessage());
+    case vtkVesicleStepper::IoFailure:
+      throw IoError(stepper_->GetErrorMessage());
+    case vtkVesicleStepper::NumericalFailure:
+      if (!stepper_->GetState())
+      {
+        throw NumericalError(stepper_->GetErrorMessage()); // there is no good state to save
+      }
+  }
+}
+
+void Run::on_step()
+{
+  try
+  {
+    record();
+    progress_->step(stepper_->GetDiagnostics());
+  }
+  catch (...)
+  {
+    failure_ = std::current_exception();
+  }
+  if (failure_ || interrupted())
+  {
+    stepper_->SetAbortExecute(1);
+  }
+}
+
+void Run::record()
+{
+  const Row row = stepper_->GetDiagnostics().values();
+  checkpoint_->append(*stepper_->GetState(), row);
+  table_->append(row);
+}
+
+void Run::append_frame()
+{
+  series_.append(stepper_->GetOutput(), stepper_->GetStateTime());
+}
+
+bool Run::is_failed()
+{
+  return stepper_->GetErrorCategory() == vtkVesicleStepper::NumericalFailure;
+}
+
+std::string Run::outcome()
+{
+  if (is_failed())
+  {
+    return "failed";
+  }
+  return !stepper_->GetFinished() ? "interrupted" : scene_.time.end ? "finished" : "steady";
+}
+
+RunFile Run::create_checkpoint() const
+{
+  const Simulation& simulation = *stepper_->GetSimulation();
+  RunFile::Header header;
+  header.scene = write_scene(scene_);
+  header.triangles = simulation.triangles();
+  header.length_scale = simulation.scales().length;
+  header.time_scale = simulation.scales().time();
+  header.energy_scale = simulation.scales().energy;
+  header.viscosity = simulation.scales().viscosity;
+  const auto& names = Diagnostics::names();
+  header.columns.assign(names.begin(), names.end());
+  return RunFile::create(folder_.checkpoint(), header);
+}
+
+void Run::require_movie_color()
+{
+  if (options_.movie)
+  {
+    require_color(scene_, stepper_->GetOutput());
+  }
+}
+
+// Plots, like the movie, need something that draws; a run is not failed for that.
+void Run::write_plots(const std::vector<Row>& rows)
+{
+  try
+  {
+    make_folder(folder_.plots());
+    write_run_plots(scene_, rows, folder_.plots());
+  }
+  catch (const IoError&)
+  {
+    throw;
+  }
+  catch (const std::runtime_error& error)
+  {
+    progress_->say(fmt::format("no plots: {}", error.what()));
+  }
+}
+
+void Run::finish()
+{
+  const std::vector<Row> rows = checkpoint_->series();
+  checkpoint_.reset(); // closed, and free for others to read
+  RunSummary summary;
+  summary.scene = scene_;
+  summary.outcome = outcome();
+  summary.message = is_failed() ? stepper_->GetErrorMessage() : "";
+  summary.last = stepper_->GetDiagnostics();
+  summary.frames = series_.frames().size();
+  summary.triangles = static_cast<int>(stepper_->GetSimulation()->triangles().rows());
+  summary.steps = stepper_->GetState()->step - first_step_;
+  summary.resumed = resumed_;
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - began_;
+  summary.wall_seconds = wall.count();
+  write_summary(summary, folder_.summary());
+  progress_->say(fmt::format("{} at t = {:.6g} after {} steps in {}: {} frames in {}",
+    summary.outcome, stepper_->GetStateTime(), summary.steps, duration_text(wall.count()),
+    summary.frames, folder_.folder().string()));
+  if (is_failed())
+  {
+    throw NumericalError(fmt::format(
+      "{} The last good state is saved in {}", summary.message, folder_.checkpoint().string()));
+  }
+  if (summary.outcome == "interrupted")
+  {
+    progress_->say("go on with --resume");
+  }
+  else if (options_.movie)
+  {
+    write_plots(rows);
+    summary.movie_note = make_run_movie(scene_, folder_, series_.files(), *progress_);
+    write_summary(summary, folder_.summary());
+  }
+}
+
+}

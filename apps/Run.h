@@ -1,0 +1,73 @@
+#pragma once
+// One sitting of a simulation: from the start or from the checkpoint to the end, to Ctrl-C, or to
+// where no step can be made.
+
+#include "apps/CsvFile.h"
+#include "apps/Progress.h"
+#include "apps/RunFolder.h"
+#include "apps/Summary.h"
+
+#include "solver/scene/Scene.h"
+#include "solver/state/RunFile.h"
+#include "vtkfilters/Filters/SeriesWriter.h"
+
+#include "vtkNew.h"
+#include "vtkVesicleStepper.h"
+
+#include <chrono>
+#include <exception>
+#include <optional>
+
+namespace vesicle
+{
+
+struct RunOptions
+{
+  bool resume = false;
+  bool overwrite = false;
+  bool movie = true;
+  bool quiet = false;
+};
+
+/// Drives a vtkVesicleStepper from output time to output time and writes a frame at each; table,
+/// checkpoint, progress and Ctrl-C watch the accepted steps in between.
+class Run
+{
+public:
+  Run(Scene scene, const std::filesystem::path& folder, const RunOptions& options);
+
+  /// Returns the exit code. Throws InputError and IoError; of a NumericalError everything is saved
+  /// before it is passed on.
+  int carry_out();
+
+private:
+  void start_anew();
+  void go_on();
+  void advance();
+  void finish();
+
+  void update_to(double time);
+  void on_step();
+  void record();
+  void append_frame();
+  void require_movie_color();
+  void write_plots(const std::vector<Row>& rows);
+  bool is_failed();
+  std::string outcome();
+  RunFile create_checkpoint() const;
+
+  Scene scene_;
+  RunFolder folder_;
+  RunOptions options_;
+  std::chrono::steady_clock::time_point began_;
+  vtkNew<vtkVesicleStepper> stepper_;
+  SeriesWriter series_;
+  std::optional<RunFile> checkpoint_;
+  std::optional<CsvFile> table_;
+  std::optional<Progress> progress_;
+  std::exception_ptr failure_; ///< of an observer: it must not pass through VTK
+  std::int64_t first_step_ = 0;
+  bool resumed_ = false;
+};
+
+}

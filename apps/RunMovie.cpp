@@ -1,0 +1,88 @@
+#include "apps/RunMovie.h"
+
+#include "apps/Interrupt.h"
+#include "apps/Progress.h"
+#include "apps/RunFolder.h"
+
+#include "render/Movie.h"
+#include "solver/Errors.h"
+
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <fmt/format.h>
+
+namespace vesicle
+{
+namespace
+{
+
+struct Stopped : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+MovieSettings settings_of(const Scene& scene, const RunFolder& folder, Progress& progress)
+{
+  MovieSettings settings;
+  settings.picture.color = scene.movie.color;
+  settings.picture.range = scene.movie.range;
+  settings.picture.size = scene.movie.size;
+  settings.picture.view = scene.movie.view;
+  settings.picture.arrows = scene.movie.arrows;
+  settings.picture.edges = scene.movie.edges;
+  settings.directory = folder.pictures();
+  settings.mp4 = folder.film();
+  settings.progress = [&progress](int done, int total)
+  {
+    progress.count("movie: frame", done, total);
+    if (interrupted() && done < total)
+    {
+      throw Stopped("interrupted");
+    }
+  };
+  return settings;
+}
+
+}
+
+void require_color(const Scene& scene, vtkPolyData* surface)
+{
+  vtkPointData* arrays = surface->GetPointData();
+  if (arrays->HasArray(scene.movie.color.c_str()))
+  {
+    return;
+  }
+  std::string names;
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+  {
+    names += fmt::format(" {}", arrays->GetArrayName(i));
+  }
+  throw InputError(fmt::format("{}: movie.color = \"{}\" is not an array of this run; there are:{}",
+    scene.file.string(), scene.movie.color, names));
+}
+
+std::string make_run_movie(const Scene& scene, const RunFolder& folder,
+  const std::vector<std::filesystem::path>& frames, Progress& progress)
+{
+  try
+  {
+    const auto report = make_movie(frames, settings_of(scene, folder, progress));
+    return report.note.empty()
+      ? fmt::format("{} frames, {}", report.frames, report.mp4->filename().string())
+      : report.note;
+  }
+  catch (const std::runtime_error& error)
+  {
+    // Ctrl-C reaches ffmpeg too, which then fails.
+    if (dynamic_cast<const IoError*>(&error) && !interrupted())
+    {
+      throw;
+    }
+    const auto note = fmt::format("no movie: {}", error.what());
+    progress.say(note);
+    return note;
+  }
+}
+
+}

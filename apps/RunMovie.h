@@ -1,0 +1,28 @@
+#pragma once
+// The movie at the end of a run.
+
+#include "solver/scene/Scene.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+namespace vesicle
+{
+
+class Progress;
+class RunFolder;
+
+/// Throws InputError listing the arrays unless the scene's movie.color is one of the surface's.
+/// Asked at the start: nobody wants to hear it at the end.
+void require_color(const Scene& scene, vtkPolyData* surface);
+
+/// Pictures of the frames, and a film where ffmpeg is installed. Where nothing can draw, or on
+/// Ctrl-C, there is no movie, and the returned text says why; a run is not failed for that. Throws
+/// IoError.
+std::string make_run_movie(const Scene& scene, const RunFolder& folder,
+  const std::vector<std::filesystem::path>& frames, Progress& progress);
+
+}

@@ -1,0 +1,79 @@
+#include "apps/RunResume.h"
+
+#include "solver/Errors.h"
+#include "solver/dynamics/Simulation.h"
+#include "solver/scene/SceneFile.h"
+
+#include <fmt/format.h>
+
+#include <sstream>
+#include <vector>
+
+namespace vesicle
+{
+namespace
+{
+
+/// The scene without what may change from one sitting to the next, line by line.
+std::vector<std::string> fixed_lines(Scene scene)
+{
+  scene.time.end = 1;
+  scene.movie = {};
+  scene.output.directory.reset();
+  std::istringstream text(write_scene(scene));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(text, line);)
+  {
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+std::string first_difference(
+  const std::vector<std::string>& now, const std::vector<std::string>& then)
+{
+  std::size_t i = 0;
+  while (i < now.size() && i < then.size() && now[i] == then[i])
+  {
+    ++i;
+  }
+  const auto line = [i](const std::vector<std::string>& lines)
+  { return i < lines.size() && !lines[i].empty() ? lines[i] : std::string("(nothing)"); };
+  return fmt::format("'{}' now, '{}' then", line(now), line(then));
+}
+
+}
+
+void require_same_scene(const Scene& scene, const RunFile& run, const std::filesystem::path& file)
+{
+  const auto now = fixed_lines(scene);
+  const auto then = fixed_lines(parse_scene(run.header().scene, file.string()));
+  if (now != then)
+  {
+    throw InputError(
+      fmt::format("{}: the scene is not the one of this run: {}. Only time.end and the "
+                  "movie may change; use another folder or --overwrite",
+        file.string(), first_difference(now, then)));
+  }
+  const double reached = run.state().time;
+  if (scene.time.end && *scene.time.end < reached)
+  {
+    throw InputError(
+      fmt::format("{}: the run has reached t = {}, past time.end = {}; set a later end",
+        file.string(), reached, *scene.time.end));
+  }
+}
+
+void require_same_mesh(
+  const Simulation& simulation, const RunFile& run, const std::filesystem::path& file)
+{
+  if (simulation.triangles() != run.header().triangles ||
+    simulation.scales().length != run.header().length_scale)
+  {
+    throw InputError(file.string() +
+      ": the start mesh is not the one of this run; bring the old mesh file back or use "
+      "--overwrite");
+  }
+}
+
+}

@@ -1,0 +1,78 @@
+// vesicle shape: a start shape as a mesh file.
+
+#include "apps/Commands.h"
+#include "apps/MeshReport.h"
+
+#include "solver/mesh/Shapes.h"
+#include "vtkfilters/Filters/MeshConversion.h"
+#include "vtkfilters/Filters/MeshFiles.h"
+
+#include "vtkPolyData.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace vesicle
+{
+namespace
+{
+
+struct ShapeOptions
+{
+  std::string kind;
+  ShapeRequest request;
+  double reduced_volume = 0;
+  std::vector<double> modes; ///< l, m, amplitude one after the other
+  std::string file;
+};
+
+int make(ShapeOptions options, bool with_reduced_volume)
+{
+  options.request.kind = shape_kind(options.kind);
+  if (with_reduced_volume)
+  {
+    options.request.reduced_volume = options.reduced_volume;
+  }
+  for (std::size_t i = 0; i + 2 < options.modes.size(); i += 3)
+  {
+    options.request.modes.push_back({ static_cast<int>(options.modes[i]),
+      static_cast<int>(options.modes[i + 1]), options.modes[i + 2] });
+  }
+  const std::string file = options.file.empty() ? options.kind + ".vtu" : options.file;
+  require_mesh_ending(file);
+  const TriangleMesh mesh = make_shape(options.request);
+  write_mesh(to_polydata(mesh), file);
+  fmt::print("{}\n{}", file, to_text(MeshReport(mesh)));
+  return exit_code::done;
+}
+
+}
+
+void add_shape_command(CLI::App& app, Action& action)
+{
+  auto options = std::make_shared<ShapeOptions>();
+  auto* command = app.add_subcommand(
+    "shape", "Write a start shape of radius 1 (that of the sphere of its volume)");
+  command->add_option("kind", options->kind, "sphere prolate oblate ellipsoid discocyte perturbed")
+    ->required();
+  auto* reduced = command->add_option("--reduced-volume", options->reduced_volume,
+    "6 sqrt(pi) V / A^(3/2) of the mesh, 1 for a sphere");
+  command
+    ->add_option("--triangles", options->request.triangles,
+      "The nearest number that the mesh family has (20 n^2) is made")
+    ->capture_default_str();
+  command->add_option(
+    "--semi-axes", options->request.semi_axes, "a b c of an ellipsoid; their ratios matter");
+  command->add_option("--mode", options->modes, "l m amplitude of a perturbed sphere, once a mode")
+    ->type_size(3)
+    ->allow_extra_args(false);
+  command->add_option("-o,--output", options->file, "File to write; KIND.vtu if left out");
+  command->footer(
+    "Example: vesicle shape prolate --reduced-volume 0.95 --triangles 1280 -o pear.stl");
+  command->callback([options, reduced, &action]
+    { action = [options, reduced] { return make(*options, reduced->count() > 0); }; });
+}
+
+}

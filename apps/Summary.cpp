@@ -1,0 +1,85 @@
+#include "apps/Summary.h"
+
+#include "solver/dynamics/Blas.h"
+#include "solver/scene/SceneFile.h"
+#include "vtkfilters/Filters/FileBytes.h"
+
+#include "vtkVersion.h"
+
+#include <H5public.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/version.h>
+
+#include <cmath>
+
+namespace vesicle
+{
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+Json versions()
+{
+  return { { "vesicle", VESICLE_VERSION }, { "vtk", vtkVersion::GetVTKVersion() },
+    { "eigen",
+      fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION) },
+    { "hdf5", fmt::format("{}.{}.{}", H5_VERS_MAJOR, H5_VERS_MINOR, H5_VERS_RELEASE) },
+    { "tbb", TBB_runtime_version() }, { "compiler", __VERSION__ },
+    { "blas_kernel", blas_kernel() } };
+}
+
+/// By the names of the table's columns; null where undefined.
+Json observables(const Diagnostics& diagnostics)
+{
+  Json result = Json::object();
+  const auto& names = Diagnostics::names();
+  const auto values = diagnostics.values();
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    result[std::string(names[i])] =
+      values[i] && std::isfinite(*values[i]) ? Json(*values[i]) : Json(nullptr);
+  }
+  return result;
+}
+
+Json timings(const RunSummary& s)
+{
+  const auto threads =
+    oneapi::tbb::global_control::active_value(oneapi::tbb::global_control::max_allowed_parallelism);
+  return { { "wall_seconds", s.wall_seconds }, { "steps", s.steps },
+    { "seconds_per_step", s.steps > 0 ? s.wall_seconds / static_cast<double>(s.steps) : 0 },
+    { "threads", threads }, { "resumed", s.resumed } };
+}
+
+}
+
+void write_summary(const RunSummary& s, const std::filesystem::path& file)
+{
+  Json summary{ { "name", s.scene.name }, { "outcome", s.outcome } };
+  if (!s.message.empty())
+  {
+    summary["message"] = s.message;
+  }
+  summary["steps"] = static_cast<std::int64_t>(s.last.step);
+  summary["time"] = s.last.time;
+  summary["frames"] = s.frames;
+  summary["triangles"] = s.triangles;
+  summary["drifts"] = { { "area", s.last.area_drift }, { "volume", s.last.volume_drift } };
+  summary["corrections"] = { { "area", s.last.area_correction },
+    { "volume", s.last.volume_correction } };
+  summary["final"] = observables(s.last);
+  summary["timings"] = timings(s);
+  if (!s.movie_note.empty())
+  {
+    summary["movie"] = s.movie_note;
+  }
+  summary["versions"] = versions();
+  summary["scene_file"] = s.scene.file.string();
+  summary["settings"] = write_scene(s.scene);
+  replace_file(file, summary.dump(2) + "\n");
+}
+
+}

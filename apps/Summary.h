@@ -1,0 +1,30 @@
+#pragma once
+// summary.json: what a run was, what it gave and with what it was computed.
+
+#include "solver/dynamics/Diagnostics.h"
+#include "solver/scene/Scene.h"
+
+#include <filesystem>
+#include <string>
+
+namespace vesicle
+{
+
+struct RunSummary
+{
+  Scene scene;
+  std::string outcome; ///< finished, steady, interrupted or failed
+  std::string message; ///< why it failed
+  Diagnostics last;    ///< of the last state
+  std::size_t frames = 0;
+  int triangles = 0;
+  double wall_seconds = 0; ///< of this sitting
+  std::int64_t steps = 0;  ///< of this sitting
+  bool resumed = false;
+  std::string movie_note;
+};
+
+/// Throws IoError.
+void write_summary(const RunSummary& summary, const std::filesystem::path& file);
+
+}

@@ -1,0 +1,86 @@
+// The command `vesicle`.
+
+#include "apps/Commands.h"
+
+#include "solver/Errors.h"
+#include "solver/dynamics/Blas.h"
+
+#include "vtkLogger.h"
+#include "vtkOutputWindow.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+
+namespace vesicle
+{
+namespace
+{
+
+int fail(const std::exception& error, int code)
+{
+  std::cerr << "vesicle: " << error.what() << '\n';
+  return code;
+}
+
+/// The one place where errors become exit codes.
+int carry_out(const Action& action)
+{
+  try
+  {
+    return action();
+  }
+  catch (const InputError& error)
+  {
+    return fail(error, exit_code::bad_input);
+  }
+  catch (const NumericalError& error)
+  {
+    return fail(error, exit_code::numerical);
+  }
+  catch (const std::exception& error) // IoError, out of memory, nothing to draw with, …
+  {
+    return fail(error, exit_code::io);
+  }
+}
+
+/// VTK would log every message, also those that are caught and told in our own words.
+void use_output_window_only()
+{
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  vtkOutputWindow::GetInstance()->SetDisplayMode(vtkOutputWindow::ALWAYS_STDERR);
+}
+
+int run_command_line(int argc, char** argv)
+{
+  CLI::App app{ "Lipid vesicles in viscous flow by the boundary element method." };
+  app.name("vesicle");
+  app.footer("Example: vesicle run pear.toml -o pear");
+  app.set_version_flag("--version", "vesicle " VESICLE_VERSION);
+  app.require_subcommand(1);
+  Action action;
+  add_run_command(app, action);
+  add_shape_command(app, action);
+  add_curvature_command(app, action);
+  add_info_command(app, action);
+  add_render_command(app, action);
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::ParseError& outcome)
+  {
+    return app.exit(outcome) == 0 ? exit_code::done : exit_code::bad_input;
+  }
+  return carry_out(action);
+}
+
+}
+}
+
+int main(int argc, char** argv)
+{
+  vesicle::restart_with_blas_kernel(argv);
+  vesicle::use_output_window_only();
+  return vesicle::run_command_line(argc, argv);
+}

@@ -1,0 +1,151 @@
+#include "Command.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <optional>
+
+#include <unistd.h>
+
+namespace vesicle::test
+{
+namespace
+{
+
+class Resume : public testing::Test
+{
+protected:
+  Resume() { write_scene_file(folder.path()); }
+
+  /// Long enough to be interrupted.
+  std::vector<std::string> arguments(const std::string& output, const std::string& extra = "") const
+  {
+    std::vector<std::string> words{ "run", "pear.toml", "--no-movie", "--quiet", "-o", output,
+      "--set", "vesicle.triangles=320", "--set", "time.end=2.0" };
+    if (!extra.empty())
+    {
+      words.push_back(extra);
+    }
+    return words;
+  }
+
+  /// Sends the signal once the table has a number of rows; the exit code.
+  int interrupt(const std::string& output, int signal, long rows) const
+  {
+    Command run(VESICLE_COMMAND, folder.path(), arguments(output));
+    while (run.running() && rows_of(output) < rows)
+    {
+      usleep(1000);
+    }
+    run.signal(signal);
+    return run.wait();
+  }
+
+  long rows_of(const std::string& output) const
+  {
+    const auto table = folder / (output + "/pear.csv");
+    if (!std::filesystem::exists(table))
+    {
+      return 0;
+    }
+    const std::string text = bytes_of(table);
+    return std::count(text.begin(), text.end(), '\n') - 1;
+  }
+
+  void expect_same_files(const std::string& a, const std::string& b) const
+  {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / a))
+    {
+      const auto name = std::filesystem::relative(entry.path(), folder / a);
+      if (entry.is_regular_file() && name != "summary.json")
+      {
+        EXPECT_EQ(bytes_of(entry.path()), bytes_of(folder / b / name)) << name;
+      }
+    }
+    const auto count = [&](const std::string& output)
+    {
+      const std::filesystem::recursive_directory_iterator files(folder / output);
+      return std::distance(begin(files), end(files));
+    };
+    EXPECT_EQ(count(a), count(b));
+  }
+
+  TemporaryFolder folder;
+};
+
+}
+
+TEST_F(Resume, InterruptedKilledAndUninterruptedRunsAreTheSameToTheByte)
+{
+  ASSERT_EQ(vesicle_command(folder.path(), arguments("straight")).code, 0);
+
+  EXPECT_EQ(interrupt("stopped", SIGINT, 10), 130);
+  EXPECT_TRUE(std::filesystem::exists(folder / "stopped/summary.json"));
+  EXPECT_LT(rows_of("stopped"), rows_of("straight"));
+  auto outcome = vesicle_command(folder.path(), arguments("stopped", "--resume"));
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  expect_same_files("straight", "stopped");
+
+  EXPECT_EQ(interrupt("killed", SIGKILL, 20), 128 + SIGKILL);
+  outcome = vesicle_command(folder.path(), arguments("killed", "--resume"));
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  expect_same_files("straight", "killed");
+}
+
+TEST_F(Resume, AFinishedRunStaysAndCanGoFurther)
+{
+  ASSERT_EQ(vesicle_command(folder.path(), arguments("run")).code, 0);
+  const auto table = bytes_of(folder / "run/pear.csv");
+  ASSERT_EQ(vesicle_command(folder.path(), arguments("run", "--resume")).code, 0);
+  EXPECT_EQ(bytes_of(folder / "run/pear.csv"), table);
+  const auto further = vesicle_command(folder.path(),
+    { "run", "pear.toml", "--no-movie", "-o", "run", "--set", "vesicle.triangles=320", "--set",
+      "time.end=2.2", "--resume" });
+  EXPECT_EQ(further.code, 0) << further.errors;
+  EXPECT_TRUE(bytes_of(folder / "run/pear.csv").starts_with(table));
+  EXPECT_TRUE(std::filesystem::exists(folder / "run/frames/pear_000022.vtu"));
+}
+
+TEST_F(Resume, AnotherSceneIsRefused)
+{
+  const std::vector<std::string> base{ "run", "pear.toml", "--no-movie", "-o", "run", "--set" };
+  const auto run = [&](std::vector<std::string> extra)
+  {
+    auto words = base;
+    words.insert(words.end(), extra.begin(), extra.end());
+    return vesicle_command(folder.path(), words);
+  };
+  ASSERT_EQ(run({ "time.end=0.2" }).code, 0);
+  const auto thicker = run({ "fluid.viscosity=2.0", "--resume" });
+  EXPECT_EQ(thicker.code, 2);
+  EXPECT_NE(thicker.errors.find("viscosity"), std::string::npos) << thicker.errors;
+  EXPECT_EQ(run({ "time.end=0.1", "--resume" }).code, 2);
+}
+
+TEST_F(Resume, WithoutARunItStarts)
+{
+  const auto outcome = vesicle_command(
+    folder.path(), { "run", "pear.toml", "--no-movie", "--resume", "--set", "time.end=0.1" });
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+}
+
+TEST_F(Resume, ARunningRunIsLeftAlone)
+{
+  Command first(VESICLE_COMMAND, folder.path(), arguments("run"));
+  while (first.running() && rows_of("run") < 2)
+  {
+    usleep(1000);
+  }
+  first.signal(SIGSTOP);
+  for (const char* way : { "--resume", "--overwrite" })
+  {
+    const auto outcome = vesicle_command(folder.path(), arguments("run", way));
+    EXPECT_EQ(outcome.code, 4) << way;
+    EXPECT_NE(outcome.errors.find("locked by another run"), std::string::npos) << outcome.errors;
+  }
+  first.signal(SIGCONT);
+  EXPECT_EQ(first.wait(), 0);
+}
+
+}

@@ -1,0 +1,142 @@
+#include "Command.h"
+
+#include "vtkfilters/Filters/MeshConversion.h"
+#include "vtkfilters/Filters/MeshFiles.h"
+#include "vtkfilters/Filters/SeriesFile.h"
+
+#include "solver/mesh/Shapes.h"
+
+#include "vtkPolyData.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace vesicle::test
+{
+namespace
+{
+
+class RunErrors : public testing::Test
+{
+protected:
+  RunErrors() { write_scene_file(folder.path()); }
+
+  Outcome run(std::vector<std::string> extra) const
+  {
+    extra.insert(extra.begin(), { "run", "pear.toml", "--no-movie" });
+    return vesicle_command(folder.path(), extra);
+  }
+  Outcome run_with_mesh(const TriangleMesh& mesh) const
+  {
+    write_mesh(to_polydata(mesh), folder / "mesh.off");
+    std::ofstream(folder / "mesh.toml") << "name = \"mesh\"\n[vesicle]\nfile = \"mesh.off\"\n"
+                                           "[membrane]\nbending_rigidity = 1.0\n"
+                                           "[time]\nend = 0.02\noutput_every = 0.01\n";
+    return vesicle_command(folder.path(), { "run", "mesh.toml", "--no-movie" });
+  }
+  bool nothing_written(const std::string& name = "pear") const
+  {
+    return !std::filesystem::exists(folder / name);
+  }
+
+  TemporaryFolder folder;
+};
+
+void expect_mentions(const Outcome& outcome, const std::string& text)
+{
+  EXPECT_NE(outcome.errors.find(text), std::string::npos) << outcome.errors;
+}
+
+}
+
+TEST_F(RunErrors, MissingScene)
+{
+  const auto outcome = vesicle_command(folder.path(), { "run", "none.toml" });
+  EXPECT_EQ(outcome.code, 2);
+  expect_mentions(outcome, "none.toml");
+}
+
+TEST_F(RunErrors, UnknownKeyNamesTheNearest)
+{
+  const auto outcome = run({ "--set", "fluid.viscocity=2" });
+  EXPECT_EQ(outcome.code, 2);
+  expect_mentions(outcome, "viscosity");
+  EXPECT_TRUE(nothing_written());
+}
+
+TEST_F(RunErrors, UnknownMovieColourIsToldBeforeTheRun)
+{
+  const auto outcome =
+    vesicle_command(folder.path(), { "run", "pear.toml", "--set", "movie.color=Beauty" });
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_TRUE(nothing_written());
+}
+
+TEST_F(RunErrors, MissingMesh)
+{
+  std::ofstream(folder / "mesh.toml")
+    << "name = \"mesh\"\n[vesicle]\nfile = \"none.off\"\n"
+       "[membrane]\nbending_rigidity = 1.0\n[time]\nend = 0.02\noutput_every = 0.01\n";
+  const auto outcome = vesicle_command(folder.path(), { "run", "mesh.toml" });
+  EXPECT_EQ(outcome.code, 2);
+  expect_mentions(outcome, "none.off");
+}
+
+TEST_F(RunErrors, GoodMeshRuns)
+{
+  const auto outcome = run_with_mesh(geodesic_sphere(2));
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+}
+
+TEST_F(RunErrors, OpenMesh)
+{
+  TriangleMesh mesh = geodesic_sphere(2);
+  mesh.triangles.conservativeResize(mesh.triangles.rows() - 1, 3);
+  const auto outcome = run_with_mesh(mesh);
+  EXPECT_EQ(outcome.code, 2);
+  expect_mentions(outcome, "mesh.off");
+  EXPECT_TRUE(nothing_written("mesh"));
+}
+
+TEST_F(RunErrors, TornMesh)
+{
+  // Every triangle has points of its own.
+  const TriangleMesh whole = geodesic_sphere(2);
+  TriangleMesh torn{ Points(3 * whole.triangles.rows(), 3), whole.triangles };
+  for (Eigen::Index t = 0; t < whole.triangles.rows(); ++t)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      torn.points.row(3 * t + corner) = whole.points.row(whole.triangles(t, corner));
+      torn.triangles(t, corner) = static_cast<int>(3 * t + corner);
+    }
+  }
+  const auto outcome = run_with_mesh(torn);
+  EXPECT_EQ(outcome.code, 2);
+  expect_mentions(outcome, "mesh.off");
+}
+
+TEST_F(RunErrors, FolderThatCantBeWritten)
+{
+  std::ofstream(folder / "file") << "in the way";
+  for (const char* output : { "file/run", "/proc/vesicle" })
+  {
+    const auto outcome = run({ "-o", output });
+    EXPECT_EQ(outcome.code, 4) << output;
+    expect_mentions(outcome, output);
+  }
+}
+
+TEST_F(RunErrors, FailedRunKeepsItsLastGoodState)
+{
+  const auto outcome = run({ "--set", "time.step=50.0", "--set", "time.output_every=50.0", "--set",
+    "time.end=100.0", "--set", "flow.rate=30.0" });
+  EXPECT_EQ(outcome.code, 3) << outcome.output;
+  expect_mentions(outcome, "saved in");
+  EXPECT_GE(read_series(folder / "pear/pear.pvd").size(), 1u);
+  EXPECT_NE(bytes_of(folder / "pear/summary.json").find("\"failed\""), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(folder / "pear/pear.h5"));
+}
+
+}

@@ -1,0 +1,186 @@
+#include "vtkVesicleCurvatureFilter.h"
+
+#include "vtkfilters/Filters/MeshConversion.h"
+#include "vtkfilters/Filters/VtkMessages.h"
+
+#include "solver/mesh/Shapes.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkReverseSense.h"
+#include "vtkSphereSource.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace vesicle::test
+{
+namespace
+{
+
+constexpr double radius = 2;
+
+vtkSmartPointer<vtkPolyData> with_curvature(vtkPolyData* surface, double rigidity = 1)
+{
+  vtkNew<vtkVesicleCurvatureFilter> filter;
+  filter->SetInputData(surface);
+  filter->SetBendingRigidity(rigidity);
+  filter->Update();
+  return filter->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> sphere()
+{
+  TriangleMesh mesh = geodesic_sphere(8);
+  mesh.points *= radius;
+  return to_polydata(mesh);
+}
+
+vtkDataArray* array(vtkPolyData* surface, const std::string& name)
+{
+  vtkDataArray* found = surface->GetPointData()->GetArray(name.c_str());
+  EXPECT_NE(found, nullptr) << name;
+  return found;
+}
+
+double value(vtkPolyData* surface, const std::string& name, vtkIdType i)
+{
+  return array(surface, name)->GetComponent(i, 0);
+}
+
+void expect_finite(vtkPolyData* surface)
+{
+  for (const char* name :
+    { "Mean_Curvature", "Gauss_Curvature", "Laplacian_Mean_Curvature", "Normals", "Bending_Force" })
+  {
+    vtkDataArray* values = array(surface, name);
+    ASSERT_EQ(values->GetNumberOfTuples(), surface->GetNumberOfPoints()) << name;
+    for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+    {
+      for (int c = 0; c < values->GetNumberOfComponents(); ++c)
+      {
+        ASSERT_TRUE(std::isfinite(values->GetComponent(i, c))) << name << ' ' << i;
+      }
+    }
+  }
+}
+
+}
+
+TEST(CurvatureFilter, SphereHasItsCurvaturesEverywhere)
+{
+  const auto output = with_curvature(sphere());
+  expect_finite(output);
+  int off = 0;
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    const double mean_error = value(output, "Mean_Curvature", i) * radius - 1;
+    const double gauss_error = value(output, "Gauss_Curvature", i) * radius * radius - 1;
+    EXPECT_LT(std::max(std::abs(mean_error), std::abs(gauss_error)), 0.16);
+    off += std::max(std::abs(mean_error), std::abs(gauss_error)) > 0.05;
+    EXPECT_EQ(value(output, "Curvature_Valid", i), 1);
+    EXPECT_EQ(value(output, "Bending_Force_Valid", i), 1);
+    double point[3], normal[3];
+    output->GetPoint(i, point);
+    array(output, "Normals")->GetTuple(i, normal);
+    EXPECT_NEAR(normal[0] * point[0] + normal[1] * point[1] + normal[2] * point[2], radius, 0.01);
+  }
+  EXPECT_EQ(off, 12); // the five-valent vertices, where the scheme does not converge
+  EXPECT_EQ(std::string(output->GetPointData()->GetScalars()->GetName()), "Mean_Curvature");
+  EXPECT_EQ(output->GetPoints()->GetDataType(), VTK_DOUBLE);
+}
+
+TEST(CurvatureFilter, VtkSphereSourceWorksToo)
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetThetaResolution(40);
+  source->SetPhiResolution(40);
+  source->Update();
+  const auto output = with_curvature(source->GetOutput());
+  expect_finite(output);
+  EXPECT_NEAR(value(output, "Mean_Curvature", output->GetNumberOfPoints() / 2), 2, 0.1);
+}
+
+TEST(CurvatureFilter, BendingForceIsProportionalToTheRigidity)
+{
+  const auto one = with_curvature(sphere()), three = with_curvature(sphere(), 3);
+  for (vtkIdType i = 0; i < one->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_NEAR(3 * value(one, "Bending_Force", i), value(three, "Bending_Force", i), 1e-9);
+  }
+}
+
+TEST(CurvatureFilter, InwardSphereCountsAsOutwardUnlessTold)
+{
+  vtkNew<vtkReverseSense> inward;
+  inward->SetInputData(sphere());
+  inward->Update();
+  EXPECT_GT(value(with_curvature(inward->GetOutput()), "Mean_Curvature", 0), 0);
+  vtkNew<vtkVesicleCurvatureFilter> filter;
+  filter->SetInputData(inward->GetOutput());
+  filter->OrientOutwardOff();
+  filter->Update();
+  EXPECT_LT(value(filter->GetOutput(), "Mean_Curvature", 0), 0);
+}
+
+TEST(CurvatureFilter, OpenPlaneOfQuadsIsMarkedAtItsBorder)
+{
+  vtkNew<vtkPlaneSource> plane; // quads
+  plane->SetResolution(6, 6);
+  plane->Update();
+  const auto output = with_curvature(plane->GetOutput());
+  expect_finite(output);
+  EXPECT_EQ(output->GetNumberOfPolys(), 72);
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    const bool border = i % 7 == 0 || i % 7 == 6 || i / 7 == 0 || i / 7 == 6;
+    EXPECT_EQ(value(output, "Curvature_Valid", i), border ? 0 : 1);
+    EXPECT_NEAR(value(output, "Mean_Curvature", i), 0, 1e-12);
+    EXPECT_NEAR(value(output, "Gauss_Curvature", i), 0, 1e-9);
+  }
+  const vtkIdType next_to_border = 8, center = 24;
+  EXPECT_EQ(value(output, "Bending_Force_Valid", next_to_border), 0);
+  EXPECT_EQ(value(output, "Bending_Force_Valid", center), 1);
+}
+
+TEST(CurvatureFilter, OtherArraysPassThrough)
+{
+  const auto input = sphere();
+  vtkNew<vtkIntArray> number;
+  number->SetName("number");
+  for (int i = 0; i < input->GetNumberOfPoints(); ++i)
+  {
+    number->InsertNextValue(i);
+  }
+  input->GetPointData()->AddArray(number);
+  const auto output = with_curvature(input);
+  EXPECT_EQ(value(output, "number", 17), 17);
+  EXPECT_FALSE(input->GetPointData()->HasArray("Mean_Curvature"));
+}
+
+TEST(CurvatureFilter, UnusedPointsAreMarked)
+{
+  const auto input = sphere();
+  const vtkIdType unused = input->GetPoints()->InsertNextPoint(9, 9, 9);
+  const auto output = with_curvature(input);
+  expect_finite(output);
+  EXPECT_EQ(value(output, "Curvature_Valid", unused), 0);
+}
+
+TEST(CurvatureFilter, NothingToDoIsAWarning)
+{
+  const VtkMessages messages;
+  vtkNew<vtkPolyData> empty;
+  EXPECT_EQ(with_curvature(empty)->GetNumberOfPolys(), 0);
+  EXPECT_FALSE(messages.any_error());
+  EXPECT_NE(messages.first_warning().find("no triangles"), std::string::npos);
+}
+
+}

@@ -1,0 +1,123 @@
+#include "vtkfilters/Filters/SeriesWriter.h"
+
+#include "TemporaryFolder.h"
+
+#include "vtkfilters/Filters/FileBytes.h"
+#include "vtkfilters/Filters/MeshConversion.h"
+
+#include "solver/Errors.h"
+#include "solver/mesh/Shapes.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkXMLUnstructuredGridReader.h"
+
+#include <gtest/gtest.h>
+
+namespace vesicle::test
+{
+namespace
+{
+
+vtkSmartPointer<vtkPolyData> surface()
+{
+  const TriangleMesh mesh = geodesic_sphere(2);
+  auto result = to_polydata(mesh);
+  result->GetPointData()->AddArray(to_array("Height", mesh.points.col(2)));
+  vtkNew<vtkStringArray> text;
+  text->SetName("text");
+  text->InsertNextValue("some readers stop here");
+  result->GetFieldData()->AddArray(text);
+  return result;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> read_grid(const std::filesystem::path& file)
+{
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  return reader->GetOutput();
+}
+
+void expect_series(const std::filesystem::path& file, const std::vector<double>& times)
+{
+  const auto frames = read_series(file);
+  ASSERT_EQ(frames.size(), times.size()) << file;
+  for (std::size_t i = 0; i < times.size(); ++i)
+  {
+    EXPECT_EQ(frames[i].time, times[i]);
+    EXPECT_EQ(read_grid(frames[i].file)->GetNumberOfCells(), 80);
+  }
+}
+
+}
+
+TEST(SeriesWriter, IsValidAfterEveryFrame)
+{
+  const TemporaryFolder folder;
+  SeriesWriter series(folder.path(), "a & b");
+  std::vector<double> times;
+  for (const double time : { 0.0, 0.1, 1.0 / 3 })
+  {
+    series.append(surface(), time);
+    times.push_back(time);
+    expect_series(series.pvd_file(), times);
+    expect_series(series.series_file(), times);
+  }
+}
+
+TEST(SeriesWriter, FramesAreGridsInDoublePrecisionThatKnowTheirTime)
+{
+  const TemporaryFolder folder;
+  SeriesWriter series(folder.path(), "run");
+  series.append(surface(), 0.1);
+  const auto grid = read_grid(folder / "frames/run_000000.vtu");
+  EXPECT_EQ(grid->GetPoints()->GetDataType(), VTK_DOUBLE);
+  EXPECT_EQ(grid->GetCellType(0), VTK_TRIANGLE);
+  EXPECT_TRUE(grid->GetPointData()->HasArray("Height"));
+  ASSERT_TRUE(grid->GetFieldData()->HasArray("TimeValue"));
+  EXPECT_EQ(grid->GetFieldData()->GetArray("TimeValue")->GetComponent(0, 0), 0.1);
+  EXPECT_FALSE(grid->GetFieldData()->HasArray("text"));
+}
+
+TEST(SeriesWriter, KeepsAndGoesOn)
+{
+  const TemporaryFolder folder;
+  SeriesWriter first(folder.path(), "run");
+  for (const double time : { 0.0, 0.1, 0.2, 0.25 })
+  {
+    first.append(surface(), time);
+  }
+  SeriesWriter second(folder.path(), "run");
+  second.keep(2);
+  expect_series(second.pvd_file(), { 0.0, 0.1 });
+  EXPECT_FALSE(std::filesystem::exists(folder / "frames/run_000002.vtu"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "frames/run_000003.vtu"));
+  second.append(surface(), 0.3);
+  expect_series(second.series_file(), { 0.0, 0.1, 0.3 });
+}
+
+TEST(SeriesWriter, MissingFramesAreNoticed)
+{
+  const TemporaryFolder folder;
+  SeriesWriter series(folder.path(), "run");
+  series.append(surface(), 0);
+  EXPECT_THROW(SeriesWriter(folder.path(), "run").keep(2), InputError);
+  std::filesystem::remove(folder / "frames/run_000000.vtu");
+  EXPECT_THROW(SeriesWriter(folder.path(), "run").keep(1), InputError);
+}
+
+TEST(SeriesWriter, NowhereToWriteIsAnIoError)
+{
+  const TemporaryFolder folder;
+  replace_file(folder / "file", "in the way");
+  SeriesWriter series(folder / "file", "run");
+  EXPECT_THROW(series.append(surface(), 0), IoError);
+}
+
+}

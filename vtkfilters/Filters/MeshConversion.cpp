@@ -1,0 +1,116 @@
+#include "MeshConversion.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <array>
+#include <vector>
+
+namespace vesicle
+{
+
+TriangleMesh to_mesh(vtkPolyData* surface)
+{
+  TriangleMesh mesh;
+  mesh.points.resize(surface->GetNumberOfPoints(), 3);
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    surface->GetPoint(i, mesh.points.row(i).data());
+  }
+  std::vector<std::array<int, 3>> corners;
+  auto cells = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
+    vtkIdType size;
+    const vtkIdType* ids;
+    cells->GetCurrentCell(size, ids);
+    if (size == 3)
+    {
+      corners.push_back(
+        { static_cast<int>(ids[0]), static_cast<int>(ids[1]), static_cast<int>(ids[2]) });
+    }
+  }
+  mesh.triangles.resize(static_cast<Eigen::Index>(corners.size()), 3);
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    mesh.triangles.row(i) << corners[i][0], corners[i][1], corners[i][2];
+  }
+  return mesh;
+}
+
+vtkSmartPointer<vtkPoints> to_vtk_points(const Points& points)
+{
+  auto result = vtkSmartPointer<vtkPoints>::New();
+  result->SetDataTypeToDouble();
+  result->SetNumberOfPoints(points.rows());
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+  {
+    result->SetPoint(i, points(i, 0), points(i, 1), points(i, 2));
+  }
+  return result;
+}
+
+vtkSmartPointer<vtkCellArray> to_cells(const Triangles& triangles)
+{
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->AllocateExact(triangles.rows(), triangles.size());
+  for (const auto& triangle : triangles.rowwise())
+  {
+    cells->InsertNextCell({ triangle[0], triangle[1], triangle[2] });
+  }
+  return cells;
+}
+
+vtkSmartPointer<vtkPolyData> to_polydata(const TriangleMesh& mesh)
+{
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->SetPoints(to_vtk_points(mesh.points));
+  surface->SetPolys(to_cells(mesh.triangles));
+  return surface;
+}
+
+vtkSmartPointer<vtkDoubleArray> to_array(const std::string& name, const Eigen::MatrixXd& values)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(static_cast<int>(values.cols()));
+  array->SetNumberOfTuples(values.rows());
+  for (Eigen::Index i = 0; i < values.rows(); ++i)
+  {
+    for (Eigen::Index j = 0; j < values.cols(); ++j)
+    {
+      array->SetTypedComponent(i, static_cast<int>(j), values(i, j));
+    }
+  }
+  return array;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> to_unstructured_grid(vtkPolyData* surface)
+{
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(surface->GetPoints());
+  grid->SetCells(VTK_TRIANGLE, surface->GetPolys());
+  grid->GetPointData()->ShallowCopy(surface->GetPointData());
+  grid->GetCellData()->ShallowCopy(surface->GetCellData());
+  vtkFieldData* fields = surface->GetFieldData();
+  for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
+  {
+    if (vtkDataArray* numbers = fields->GetArray(i))
+    {
+      grid->GetFieldData()->AddArray(numbers);
+    }
+  }
+  return grid;
+}
+
+}

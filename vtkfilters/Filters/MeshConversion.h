@@ -1,0 +1,37 @@
+#pragma once
+// The solver's meshes and fields as VTK data, and back.
+
+#include "VesicleFiltersModule.h"
+
+#include "solver/mesh/TriangleMesh.h"
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class vtkCellArray;
+class vtkDoubleArray;
+class vtkPoints;
+class vtkPolyData;
+class vtkUnstructuredGrid;
+
+namespace vesicle
+{
+
+/// Points and triangles of a surface; cells other than triangles are left out.
+VESICLEFILTERS_EXPORT TriangleMesh to_mesh(vtkPolyData* surface);
+
+VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> to_polydata(const TriangleMesh& mesh);
+VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPoints> to_vtk_points(
+  const Points& points); ///< in double precision
+VESICLEFILTERS_EXPORT vtkSmartPointer<vtkCellArray> to_cells(const Triangles& triangles);
+/// One tuple a row.
+VESICLEFILTERS_EXPORT vtkSmartPointer<vtkDoubleArray> to_array(
+  const std::string& name, const Eigen::MatrixXd& values);
+
+/// The same triangles and arrays as an unstructured grid, which more programs read. Field data that
+/// aren't numbers are left out: some readers stop at them.
+VESICLEFILTERS_EXPORT vtkSmartPointer<vtkUnstructuredGrid> to_unstructured_grid(
+  vtkPolyData* surface);
+
+}

@@ -1,0 +1,263 @@
+#include "MeshFiles.h"
+
+#include "FileBytes.h"
+#include "MeshConversion.h"
+#include "TextMeshes.h"
+#include "VtkMessages.h"
+
+#include "solver/Errors.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataSetReader.h"
+#include "vtkFieldData.h"
+#include "vtkErrorCode.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPLYReader.h"
+#include "vtkPLYWriter.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataWriter.h"
+#include "vtkSTLReader.h"
+#include "vtkSTLWriter.h"
+#include "vtkTriangleFilter.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkXMLPolyDataReader.h"
+#include "vtkXMLPolyDataWriter.h"
+#include "vtkXMLUnstructuredGridReader.h"
+#include "vtkXMLUnstructuredGridWriter.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <functional>
+#include <map>
+
+namespace vesicle
+{
+namespace
+{
+
+using std::filesystem::path;
+using Surface = vtkSmartPointer<vtkPolyData>;
+
+std::string ending(const path& file)
+{
+  std::string text = file.extension().string();
+  std::transform(
+    text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
+[[noreturn]] void unreadable(const path& file, const std::string& what)
+{
+  throw InputError(fmt::format("{}: {}", file.string(), what));
+}
+
+/// Runs a VTK reader; whatever it complains about makes the file unusable.
+template<class Reader>
+vtkSmartPointer<vtkDataSet> read_with(Reader* reader, const path& file)
+{
+  const VtkMessages messages;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  auto* data = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
+  if (messages.any_error() || reader->GetErrorCode() != 0 || !data)
+  {
+    unreadable(file,
+      fmt::format("is not a complete {} file{}{}; write it again or use another format",
+        ending(file), messages.any_error() ? ": " : "", messages.first_error()));
+  }
+  return data;
+}
+
+template<class Reader>
+vtkSmartPointer<vtkDataSet> read_by(const path& file)
+{
+  vtkNew<Reader> reader;
+  return read_with(reader.Get(), file);
+}
+
+/// The corners of a flat cell that a surface is made of; false for other cells.
+bool is_polygon(int cell_type)
+{
+  return cell_type == VTK_TRIANGLE || cell_type == VTK_QUAD || cell_type == VTK_POLYGON;
+}
+
+bool is_ignored(int cell_type)
+{
+  return cell_type == VTK_VERTEX || cell_type == VTK_POLY_VERTEX || cell_type == VTK_LINE ||
+    cell_type == VTK_POLY_LINE || cell_type == VTK_EMPTY_CELL;
+}
+
+/// The polygons of a grid on its own points, in its own order.
+Surface polygons_of(vtkDataSet* grid, const path& file)
+{
+  auto* points = vtkPointSet::SafeDownCast(grid);
+  if (!points || !points->GetPoints())
+  {
+    unreadable(file, "holds no surface; a mesh of triangles is needed");
+  }
+  vtkNew<vtkCellArray> polygons;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    const int type = grid->GetCellType(cell);
+    if (is_polygon(type))
+    {
+      grid->GetCellPoints(cell, corners);
+      polygons->InsertNextCell(corners);
+    }
+    else if (!is_ignored(type))
+    {
+      unreadable(file,
+        fmt::format("cell {} is of VTK's type {}, not a flat polygon; extract the "
+                    "surface as linear triangles first",
+          cell, type));
+    }
+  }
+  auto surface = Surface::New();
+  surface->SetPoints(points->GetPoints());
+  surface->SetPolys(polygons);
+  surface->GetPointData()->ShallowCopy(grid->GetPointData());
+  surface->GetFieldData()->ShallowCopy(grid->GetFieldData());
+  if (polygons->GetNumberOfCells() == grid->GetNumberOfCells())
+  {
+    surface->GetCellData()->ShallowCopy(grid->GetCellData());
+  }
+  return surface;
+}
+
+Surface triangulated(vtkPolyData* surface)
+{
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(surface);
+  triangles->PassVertsOff();
+  triangles->PassLinesOff();
+  triangles->Update();
+  return triangles->GetOutput();
+}
+
+vtkSmartPointer<vtkDataSet> read_obj(const path& file)
+{
+  return to_polydata(parse_obj(read_file(file), file.string()));
+}
+
+vtkSmartPointer<vtkDataSet> read_off(const path& file)
+{
+  return to_polydata(parse_off(read_file(file), file.string()));
+}
+
+/// Writes under the unfinished name with VTK's writer, then gives the file its name.
+template<class Writer>
+void write_with(Writer* writer, vtkDataObject* data, const path& file)
+{
+  const VtkMessages messages;
+  const path unfinished = unfinished_name(file);
+  writer->SetInputDataObject(data);
+  writer->SetFileName(unfinished.c_str());
+  const bool written = writer->Write() != 0;
+  if (!written || writer->GetErrorCode() != 0 || messages.any_error())
+  {
+    std::error_code ignored;
+    if (unfinished != file)
+    {
+      std::filesystem::remove(unfinished, ignored);
+    }
+    const auto code = writer->GetErrorCode();
+    throw IoError(
+      fmt::format("{}: can't be written: {}; check the folder and the space left", file.string(),
+        code != 0 ? vtkErrorCode::GetStringFromErrorCode(code) : messages.first_error()));
+  }
+  finish_file(file);
+}
+
+template<class Writer>
+void write_xml(vtkDataObject* data, const path& file)
+{
+  vtkNew<Writer> writer;
+  writer->SetHeaderTypeToUInt64();
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  write_with(writer.Get(), data, file);
+}
+
+template<class Writer>
+void write_binary(vtkPolyData* surface, const path& file)
+{
+  vtkNew<Writer> writer;
+  writer->SetFileTypeToBinary();
+  write_with(writer.Get(), surface, file);
+}
+
+struct Format
+{
+  std::function<vtkSmartPointer<vtkDataSet>(const path&)> read;
+  std::function<void(vtkPolyData*, const path&)> write;
+};
+
+const std::map<std::string, Format>& formats()
+{
+  static const std::map<std::string, Format> known{
+    { ".vtu",
+      { read_by<vtkXMLUnstructuredGridReader>,
+        [](vtkPolyData* surface, const path& file)
+        { write_xml<vtkXMLUnstructuredGridWriter>(to_unstructured_grid(surface), file); } } },
+    { ".vtp", { read_by<vtkXMLPolyDataReader>, write_xml<vtkXMLPolyDataWriter> } },
+    { ".vtk", { read_by<vtkDataSetReader>, write_binary<vtkPolyDataWriter> } },
+    { ".stl", { read_by<vtkSTLReader>, write_binary<vtkSTLWriter> } },
+    { ".ply", { read_by<vtkPLYReader>, write_binary<vtkPLYWriter> } },
+    { ".obj",
+      { read_obj,
+        [](vtkPolyData* surface, const path& file)
+        { replace_file(file, obj_text(to_mesh(surface))); } } },
+    { ".off",
+      { read_off,
+        [](vtkPolyData* surface, const path& file)
+        { replace_file(file, off_text(to_mesh(surface))); } } },
+  };
+  return known;
+}
+
+const Format& format_of(const path& file)
+{
+  const auto found = formats().find(ending(file));
+  if (found == formats().end())
+  {
+    throw InputError(
+      fmt::format("{}: meshes end in .vtu .vtp .vtk .stl .ply .obj or .off, not in '{}'",
+        file.string(), file.extension().string()));
+  }
+  return found->second;
+}
+
+}
+
+void require_mesh_ending(const path& file)
+{
+  format_of(file);
+}
+
+vtkSmartPointer<vtkPolyData> read_mesh(const path& file)
+{
+  const Format& format = format_of(file);
+  require_file(file);
+  const auto data = format.read(file);
+  auto surface = Surface(vtkPolyData::SafeDownCast(data));
+  surface = triangulated(surface ? surface : polygons_of(data, file));
+  if (surface->GetNumberOfPolys() == 0)
+  {
+    unreadable(file, "holds no triangles; a surface mesh is needed");
+  }
+  return surface;
+}
+
+void write_mesh(vtkPolyData* surface, const path& file)
+{
+  format_of(file).write(surface, file);
+}
+
+}

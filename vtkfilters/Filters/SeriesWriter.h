@@ -1,0 +1,45 @@
+#pragma once
+// Writing a time series of surfaces, frame by frame.
+
+#include "VesicleFiltersModule.h"
+
+#include "SeriesFile.h"
+
+class vtkPolyData;
+
+namespace vesicle
+{
+
+/// DIR/frames/NAME_000000.vtu, …, listed in DIR/NAME.pvd and DIR/NAME.vtu.series. What is on the
+/// disk is a valid series after every frame, also if the program is killed in between. Frames are
+/// unstructured grids of triangles in double precision: appended raw data, zlib, 64-bit headers,
+/// numeric field data. All functions throw IoError naming the file that can't be written.
+class VESICLEFILTERS_EXPORT SeriesWriter
+{
+public:
+  SeriesWriter(std::filesystem::path folder, std::string name);
+
+  /// Goes on with the series in the folder after its first `count` frames; later ones are removed.
+  /// Throws InputError if there are fewer.
+  void keep(std::size_t count);
+
+  /// Adds a frame; a field data array TimeValue of one value holds the time as well.
+  void append(vtkPolyData* surface, double time);
+
+  const std::vector<SeriesFrame>& frames() const { return frames_; }
+  /// The frames' files from here.
+  std::vector<std::filesystem::path> files() const;
+  std::filesystem::path pvd_file() const;
+  std::filesystem::path series_file() const;
+
+private:
+  std::filesystem::path frame_name(std::size_t index) const;
+  void list_frames() const;
+  void remove_frames_from(std::size_t index) const;
+
+  std::filesystem::path folder_;
+  std::string name_;
+  std::vector<SeriesFrame> frames_;
+};
+
+}

@@ -1,0 +1,77 @@
+#include "VtkMessages.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
+
+namespace vesicle
+{
+namespace
+{
+
+class Collector : public vtkOutputWindow
+{
+public:
+  static Collector* New();
+  vtkTypeMacro(Collector, vtkOutputWindow);
+
+  void DisplayText(const char*) override {}
+  void DisplayWarningText(const char* text) override
+  {
+    if (first_warning.empty())
+    {
+      first_warning = text;
+    }
+  }
+  void DisplayGenericWarningText(const char*) override {}
+  void DisplayDebugText(const char*) override {}
+  void DisplayErrorText(const char* text) override
+  {
+    if (first_error.empty())
+    {
+      first_error = text;
+    }
+  }
+
+  std::string first_error;
+  std::string first_warning;
+};
+vtkStandardNewMacro(Collector);
+
+/// "… line 12\nvtkClass (0x55…): what happened\nmore" without what only a debugger needs.
+std::string what_happened(std::string text)
+{
+  const auto where = text.find("): ");
+  text = where == std::string::npos ? text : text.substr(where + 3);
+  return text.substr(0, text.find('\n'));
+}
+
+}
+
+VtkMessages::VtkMessages()
+  : before_(vtkOutputWindow::GetInstance()),
+    collector_(vtk::TakeSmartPointer<vtkOutputWindow>(Collector::New()))
+{
+  vtkOutputWindow::SetInstance(collector_);
+}
+
+VtkMessages::~VtkMessages()
+{
+  vtkOutputWindow::SetInstance(before_);
+}
+
+bool VtkMessages::any_error() const
+{
+  return !static_cast<Collector*>(collector_.Get())->first_error.empty();
+}
+
+std::string VtkMessages::first_warning() const
+{
+  return what_happened(static_cast<Collector*>(collector_.Get())->first_warning);
+}
+
+std::string VtkMessages::first_error() const
+{
+  return what_happened(static_cast<Collector*>(collector_.Get())->first_error);
+}
+
+}

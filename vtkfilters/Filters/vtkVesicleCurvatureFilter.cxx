@@ -1,0 +1,196 @@
+#include "vtkVesicleCurvatureFilter.h"
+
+#include "MeshConversion.h"
+
+#include "solver/Errors.h"
+#include "solver/geometry/Cotan.h"
+#include "solver/membrane/Bending.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkTriangleFilter.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace
+{
+
+using vesicle::TriangleMesh;
+using Mask = std::vector<bool>;
+
+/// Where the curvature is defined: triangles all around the vertex.
+Mask inner_vertices(const TriangleMesh& mesh, const vesicle::Connectivity& connectivity)
+{
+  Mask inner(mesh.points.rows());
+  for (std::size_t i = 0; i < inner.size(); ++i)
+  {
+    inner[i] = connectivity.vertex_triangles.size(static_cast<int>(i)) > 0;
+  }
+  for (std::size_t edge = 0; edge < connectivity.edges.size(); ++edge)
+  {
+    if (connectivity.edge_triangles[edge] != 2)
+    {
+      inner[connectivity.edges[edge][0]] = false;
+      inner[connectivity.edges[edge][1]] = false;
+    }
+  }
+  return inner;
+}
+
+/// Where the vertex and all its neighbours are valid.
+Mask with_valid_neighbours(const Mask& valid, const vesicle::AdjacencyList& neighbours)
+{
+  Mask result = valid;
+  for (std::size_t i = 0; i < valid.size(); ++i)
+  {
+    const int vertex = static_cast<int>(i);
+    for (const int* j = neighbours.begin(vertex); j != neighbours.end(vertex); ++j)
+    {
+      result[i] = result[i] && valid[*j];
+    }
+  }
+  return result;
+}
+
+/// Zero and invalid where a value is not a number (degenerate triangles).
+void drop_invalid(Eigen::VectorXd& values, Mask& valid)
+{
+  for (Eigen::Index i = 0; i < values.size(); ++i)
+  {
+    valid[i] = valid[i] && std::isfinite(values[i]);
+    values[i] = valid[i] ? values[i] : 0;
+  }
+}
+
+void flip(vesicle::Triangles& triangles)
+{
+  for (Eigen::Index i = 0; i < triangles.rows(); ++i)
+  {
+    std::swap(triangles(i, 1), triangles(i, 2));
+  }
+}
+
+vtkSmartPointer<vtkUnsignedCharArray> to_array(const char* name, const Mask& mask)
+{
+  auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  array->SetName(name);
+  for (const bool valid : mask)
+  {
+    array->InsertNextValue(valid);
+  }
+  return array;
+}
+
+/// The mesh may have neither points nor triangles.
+void add_curvatures(const TriangleMesh& mesh, double rigidity, vtkPointData* arrays)
+{
+  const vesicle::Connectivity connectivity(mesh.triangles, static_cast<int>(mesh.points.rows()));
+  const vesicle::CotanGeometry geometry(mesh.points, mesh.triangles);
+  auto curvature =
+    vesicle::cotan_curvature(geometry, mesh.points, vesicle::NormalScheme::area_weighted);
+  Mask valid = inner_vertices(mesh, connectivity);
+  drop_invalid(curvature.mean, valid);
+  drop_invalid(curvature.gauss, valid);
+  drop_invalid(curvature.mean, valid);
+  Mask force_valid = with_valid_neighbours(valid, connectivity.vertex_neighbours);
+  drop_invalid(curvature.laplacian_mean, force_valid);
+  Eigen::VectorXd density = rigidity * vesicle::bending_density(curvature);
+  drop_invalid(density, force_valid);
+  curvature.normal = curvature.normal.unaryExpr([](double n) { return std::isfinite(n) ? n : 0; });
+  const vesicle::Points force = curvature.normal.array().colwise() * density.array();
+
+  arrays->AddArray(vesicle::to_array("Gauss_Curvature", curvature.gauss));
+  arrays->AddArray(vesicle::to_array("Laplacian_Mean_Curvature", curvature.laplacian_mean));
+  arrays->AddArray(vesicle::to_array("Bending_Force", force));
+  arrays->AddArray(to_array("Curvature_Valid", valid));
+  arrays->AddArray(to_array("Bending_Force_Valid", force_valid));
+  arrays->SetScalars(vesicle::to_array("Mean_Curvature", curvature.mean));
+  arrays->SetNormals(vesicle::to_array("Normals", curvature.normal));
+}
+
+/// In double precision, as the curvatures are.
+void use_double_points(vtkPolyData* surface, const TriangleMesh& mesh)
+{
+  if (!surface->GetPoints() || surface->GetPoints()->GetDataType() != VTK_DOUBLE)
+  {
+    surface->SetPoints(vesicle::to_vtk_points(mesh.points));
+  }
+}
+
+}
+
+vtkStandardNewMacro(vtkVesicleCurvatureFilter);
+
+void vtkVesicleCurvatureFilter::SetSchemeByName(const char* name)
+{
+  if (name && std::string(name) == "cotan")
+  {
+    this->SetScheme(Cotan);
+    return;
+  }
+  vtkErrorMacro(<< "unknown scheme '" << (name ? name : "") << "'; there is: cotan");
+}
+
+const char* vtkVesicleCurvatureFilter::GetSchemeName()
+{
+  return "cotan";
+}
+
+int vtkVesicleCurvatureFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(input);
+  triangles->PassVertsOff();
+  triangles->PassLinesOff();
+  triangles->Update();
+  output->ShallowCopy(triangles->GetOutput());
+  if (output->GetNumberOfPolys() == 0)
+  {
+    vtkWarningMacro(<< "the input has no triangles: no curvature is computed");
+    return 1;
+  }
+  try
+  {
+    TriangleMesh mesh = vesicle::to_mesh(output);
+    vesicle::check_indices(mesh, "input");
+    const vesicle::Topology topology = vesicle::topology(mesh);
+    if (!topology.oriented)
+    {
+      vtkWarningMacro(
+        << "neighbouring triangles disagree on the orientation: signs of curvatures and "
+           "normals mean little; use vtkPolyDataNormals with ConsistencyOn first");
+    }
+    else if (this->OrientOutward && topology.closed && vesicle::flat_volume(mesh) < 0)
+    {
+      flip(mesh.triangles);
+    }
+    use_double_points(output, mesh);
+    add_curvatures(mesh, this->BendingRigidity, output->GetPointData());
+    return 1;
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+}
+
+void vtkVesicleCurvatureFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Scheme: " << this->GetSchemeName() << '\n';
+  os << indent << "BendingRigidity: " << this->BendingRigidity << '\n';
+  os << indent << "OrientOutward: " << (this->OrientOutward ? "on" : "off") << '\n';
+}

@@ -1,0 +1,96 @@
+/**
+ * @class   vtkVesicleCurvatureFilter
+ * @brief   curvatures, their Laplacian and the bending force of a triangle mesh
+ *
+ * Adds these point arrays to any surface mesh, open or closed (polygons and strips are cut into
+ * triangles first; vertices and lines are dropped; all other arrays pass through):
+ *
+ * - Mean_Curvature H, the active scalars, and Gauss_Curvature K: the names of vtkCurvatures, so
+ * that the filter takes its place in a pipeline.
+ * - Laplacian_Mean_Curvature Δ_s H, the Laplace–Beltrami operator of H.
+ * - Normals n, unit vectors.
+ * - Bending_Force, the force density (a vector, force an area) that a membrane of Helfrich energy
+ *   E = (EB/2) ∮ (2H)² dS exerts on the fluid: f = EB [2 Δ_s H + 4 H (H² − K)] n.
+ * - Curvature_Valid (1 or 0): H, K and Normals are defined here. 0 where no triangle is, on an open
+ *   border and where more than two triangles share an edge; the arrays are 0 there (Normals
+ * aren't).
+ * - Bending_Force_Valid (1 or 0): Δ_s H and the force are defined as well, which takes a ring of
+ * valid neighbours. 0 elsewhere, and both arrays are 0 there. No value is ever NaN.
+ *
+ * Sign: H is +1/R on a sphere of radius R with outward normals. Normals follow the orientation of
+ * the triangles (counter-clockwise seen from where n points to), but for one case: a closed,
+ * consistently oriented mesh that faces inward counts as facing outward while OrientOutward is on;
+ * its triangles are left as they are. On an inconsistently oriented mesh the signs mean little, and
+ * the filter warns (vtkPolyDataNormals with ConsistencyOn mends it).
+ *
+ * Algorithm, scheme Cotan: with the cotangent Laplacian L over the barycentric areas A_i,
+ * (L f)_i = Σ_j (cot α_ij + cot β_ij)(f_j − f_i)/(2 A_i), H = −½ (L x)·n, K = (2π − Σ θ)/A_i from
+ * the angles θ around the vertex, Δ_s H = L H, and n the area-weighted mean of the triangles'
+ * normals.
+ *
+ * Source: G. Boedec, M. Leonetti, M. Jaeger, 3D vesicle dynamics simulations with a linearly
+ * triangulated surface, J. Comput. Phys. 230 (2011) 1020, equations (14)–(24) and (6), where the
+ * paper prints a factor 2 for the 4.
+ */
+
+#ifndef vtkVesicleCurvatureFilter_h
+#define vtkVesicleCurvatureFilter_h
+
+#include "VesicleFiltersModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class VESICLEFILTERS_EXPORT vtkVesicleCurvatureFilter : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkVesicleCurvatureFilter* New();
+  vtkTypeMacro(vtkVesicleCurvatureFilter, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Schemes
+  {
+    Cotan
+  };
+
+  ///@{
+  /**
+   * How curvatures are found, one of Schemes or its name in lower case. Default: Cotan, the only
+   * one so far.
+   */
+  vtkSetClampMacro(Scheme, int, Cotan, Cotan);
+  vtkGetMacro(Scheme, int);
+  void SetSchemeByName(const char* name);
+  const char* GetSchemeName();
+  ///@}
+
+  ///@{
+  /**
+   * EB, an energy, 0 or more: multiplies Bending_Force. Default: 1.
+   */
+  vtkSetClampMacro(BendingRigidity, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(BendingRigidity, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a closed mesh that faces inward counts as facing outward. Default: on.
+   */
+  vtkSetMacro(OrientOutward, bool);
+  vtkGetMacro(OrientOutward, bool);
+  vtkBooleanMacro(OrientOutward, bool);
+  ///@}
+
+protected:
+  vtkVesicleCurvatureFilter() = default;
+  ~vtkVesicleCurvatureFilter() override = default;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  int Scheme = Cotan;
+  double BendingRigidity = 1;
+  bool OrientOutward = true;
+
+private:
+  vtkVesicleCurvatureFilter(const vtkVesicleCurvatureFilter&) = delete;
+  void operator=(const vtkVesicleCurvatureFilter&) = delete;
+};
+
+#endif

@@ -1,0 +1,134 @@
+#include "vtkVesicleSource.h"
+
+#include "MeshConversion.h"
+
+#include "solver/Errors.h"
+#include "solver/dynamics/Simulation.h"
+#include "solver/mesh/Shapes.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using Kind = vesicle::ShapeRequest::Kind;
+
+constexpr std::array kinds{ Kind::sphere, Kind::prolate, Kind::oblate, Kind::ellipsoid,
+  Kind::discocyte, Kind::perturbed }; // in the order of vtkVesicleSource::Shapes
+
+}
+
+struct vtkVesicleSource::ModeList
+{
+  std::vector<vesicle::ShapeMode> Items;
+  std::string ShapeName; // what GetShapeName points to
+};
+
+vtkStandardNewMacro(vtkVesicleSource);
+
+vtkVesicleSource::vtkVesicleSource() : Modes(std::make_unique<ModeList>())
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkVesicleSource::~vtkVesicleSource() = default;
+
+void vtkVesicleSource::SetShapeByName(const char* name)
+{
+  try
+  {
+    const Kind kind = vesicle::shape_kind(name ? name : "");
+    for (int i = 0; i < static_cast<int>(kinds.size()); ++i)
+    {
+      if (kinds[i] == kind)
+      {
+        this->SetShape(i);
+      }
+    }
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+  }
+}
+
+const char* vtkVesicleSource::GetShapeName()
+{
+  this->Modes->ShapeName = vesicle::shape_name(kinds[this->Shape]);
+  return this->Modes->ShapeName.c_str();
+}
+
+void vtkVesicleSource::AddMode(int l, int m, double amplitude)
+{
+  this->Modes->Items.push_back({ l, m, amplitude });
+  this->Modified();
+}
+
+void vtkVesicleSource::RemoveAllModes()
+{
+  this->Modes->Items.clear();
+  this->Modified();
+}
+
+int vtkVesicleSource::GetNumberOfModes()
+{
+  return static_cast<int>(this->Modes->Items.size());
+}
+
+int vtkVesicleSource::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  vesicle::Scene scene;
+  auto& vesicle = scene.vesicle;
+  vesicle.shape.kind = kinds[this->Shape];
+  vesicle.shape.triangles = this->Triangles;
+  if (this->ReducedVolume > 0)
+  {
+    vesicle.shape.reduced_volume = this->ReducedVolume;
+  }
+  std::copy_n(this->SemiAxes, 3, vesicle.shape.semi_axes.begin());
+  vesicle.shape.modes = this->Modes->Items;
+  vesicle.radius = this->Radius;
+  vesicle.axis = vesicle::Vector3(this->Axis).normalized();
+  vesicle.center = vesicle::Vector3(this->Center);
+  try
+  {
+    if (!(this->Radius > 0) || !(vesicle::Vector3(this->Axis).norm() > 0))
+    {
+      throw vesicle::InputError("Radius must be above 0 and Axis must have a direction");
+    }
+    vtkPolyData::GetData(outputs)->ShallowCopy(
+      vesicle::to_polydata(vesicle::make_start_mesh(scene)));
+    return 1;
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+}
+
+void vtkVesicleSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto print = [&](const char* name, const double* v)
+  { os << indent << name << ": " << v[0] << ' ' << v[1] << ' ' << v[2] << '\n'; };
+  os << indent << "Shape: " << this->GetShapeName() << '\n';
+  os << indent << "ReducedVolume: " << this->ReducedVolume << '\n';
+  os << indent << "Triangles: " << this->Triangles << '\n';
+  os << indent << "Radius: " << this->Radius << '\n';
+  print("Axis", this->Axis);
+  print("Center", this->Center);
+  print("SemiAxes", this->SemiAxes);
+  for (const auto& mode : this->Modes->Items)
+  {
+    os << indent << "Mode: " << mode.l << ' ' << mode.m << ' ' << mode.amplitude << '\n';
+  }
+}

@@ -1,0 +1,144 @@
+/**
+ * @class   vtkVesicleSource
+ * @brief   closed triangle meshes of vesicles: spheres, ellipsoids, the red cell's disc
+ *
+ * vtkVesicleSource makes the start shapes of a simulation. The mesh family is the geodesic sphere
+ * (the icosahedron's faces cut in n² triangles, 20 n² in all) relaxed on the shape that is asked
+ * for. Sizes refer to the discrete mesh: its volume is that of a sphere of radius Radius, and its
+ * reduced volume v = 6 √π V / A^(3/2) is ReducedVolume to 1e-6. Triangles are counter-clockwise
+ * seen from outside; points are in double precision.
+ *
+ * Shapes: Sphere; Prolate and Oblate, ellipsoids of revolution about the axis; Ellipsoid with
+ * SemiAxes; Discocyte, the biconcave disc of Evans & Fung, Microvasc. Res. 4 (1972) 335; Perturbed,
+ * a sphere with spherical harmonics added, r = Radius (1 + Σ amplitude Y_lm) with orthonormal real
+ * Y_lm.
+ *
+ * Reduced volume as in Boedec, Leonetti, Jaeger, J. Comput. Phys. 230 (2011) 1020, equation (43).
+ */
+
+#ifndef vtkVesicleSource_h
+#define vtkVesicleSource_h
+
+#include "VesicleFiltersModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#ifndef __VTK_WRAP__
+#include <memory> // for the modes
+#endif
+
+class VESICLEFILTERS_EXPORT vtkVesicleSource : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkVesicleSource* New();
+  vtkTypeMacro(vtkVesicleSource, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Shapes
+  {
+    Sphere,
+    Prolate,
+    Oblate,
+    Ellipsoid,
+    Discocyte,
+    Perturbed
+  };
+
+  ///@{
+  /**
+   * The shape, one of Shapes or its name in lower case ("sphere", "prolate", …). An unknown name is
+   * an error and changes nothing. Default: Sphere.
+   */
+  vtkSetClampMacro(Shape, int, Sphere, Perturbed);
+  vtkGetMacro(Shape, int);
+  void SetShapeByName(const char* name);
+  const char* GetShapeName();
+  ///@}
+
+  ///@{
+  /**
+   * Reduced volume v of the discrete mesh, no unit, above 0 up to 1 (each shape has its own range,
+   * and an error says which). 0: the shape's own. Default: 0.
+   */
+  vtkSetClampMacro(ReducedVolume, double, 0.0, 1.0);
+  vtkGetMacro(ReducedVolume, double);
+  ///@}
+
+  ///@{
+  /**
+   * Number of triangles; the nearest that the mesh family has (20 n²) is made. At least 20.
+   * Default: 1280.
+   */
+  vtkSetClampMacro(Triangles, int, 20, VTK_INT_MAX);
+  vtkGetMacro(Triangles, int);
+  ///@}
+
+  ///@{
+  /**
+   * Radius of the sphere of the same volume, r0 = (3V/4π)^(1/3), any unit of length, above 0.
+   * Default: 1.
+   */
+  vtkSetMacro(Radius, double);
+  vtkGetMacro(Radius, double);
+  ///@}
+
+  ///@{
+  /**
+   * Where the shape's own z axis (its axis of symmetry) points to; any length but 0. Default: (0,
+   * 0, 1).
+   */
+  vtkSetVector3Macro(Axis, double);
+  vtkGetVector3Macro(Axis, double);
+  ///@}
+
+  ///@{
+  /**
+   * Centroid of the enclosed volume, in the unit of Radius. Default: (0, 0, 0).
+   */
+  vtkSetVector3Macro(Center, double);
+  vtkGetVector3Macro(Center, double);
+  ///@}
+
+  ///@{
+  /**
+   * Semi-axes of the Ellipsoid along x, y, z before it is scaled to Radius, above 0; only their
+   * ratios matter. With ReducedVolume as well they are first raised to a common power until it
+   * holds. Default: (1, 1, 1).
+   */
+  vtkSetVector3Macro(SemiAxes, double);
+  vtkGetVector3Macro(SemiAxes, double);
+  ///@}
+
+  ///@{
+  /**
+   * Modes of the Perturbed sphere: degree l ≥ 2, order −l ≤ m ≤ l (m < 0: sin |m|φ), amplitude in
+   * units of Radius. Default: none.
+   */
+  void AddMode(int l, int m, double amplitude);
+  void RemoveAllModes();
+  int GetNumberOfModes();
+  ///@}
+
+protected:
+  vtkVesicleSource();
+  ~vtkVesicleSource() override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  int Shape = Sphere;
+  double ReducedVolume = 0;
+  int Triangles = 1280;
+  double Radius = 1;
+  double Axis[3] = { 0, 0, 1 };
+  double Center[3] = { 0, 0, 0 };
+  double SemiAxes[3] = { 1, 1, 1 };
+
+private:
+  vtkVesicleSource(const vtkVesicleSource&) = delete;
+  void operator=(const vtkVesicleSource&) = delete;
+
+#ifndef __VTK_WRAP__
+  struct ModeList;
+  std::unique_ptr<ModeList> Modes;
+#endif
+};
+
+#endif

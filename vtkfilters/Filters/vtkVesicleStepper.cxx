@@ -1,0 +1,452 @@
+#include "vtkVesicleStepper.h"
+
+#include "MeshConversion.h"
+#include "MeshFiles.h"
+#include "Trajectory.h"
+
+#include "solver/Errors.h"
+#include "solver/dynamics/Simulation.h"
+#include "solver/scene/SceneFile.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTimeStamp.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using vesicle::Diagnostics;
+using vesicle::Scene;
+using vesicle::Simulation;
+using vesicle::State;
+using Moment = vesicle::Trajectory::Moment;
+using Fields = std::map<std::string, Eigen::MatrixXd>;
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+/// Where between two states a moment lies, 0 to 1.
+double share(const Moment& moment)
+{
+  return moment.after
+    ? (moment.time - moment.before->time) / (moment.after->time - moment.before->time)
+    : 0;
+}
+
+Fields fields_at(const Simulation& simulation, const Moment& moment)
+{
+  Fields fields = simulation.fields(*moment.before);
+  if (moment.after)
+  {
+    const double s = share(moment);
+    for (auto& [name, values] : simulation.fields(*moment.after))
+    {
+      fields[name] = (1 - s) * fields[name] + s * values;
+    }
+    fields["Normals"].rowwise().normalize();
+  }
+  return fields;
+}
+
+vesicle::Points points_at(const Simulation& simulation, const Moment& moment)
+{
+  return moment.after ? simulation.points_between(*moment.before, *moment.after, moment.time)
+                      : simulation.points(*moment.before);
+}
+
+/// The field data of the output contract.
+std::vector<std::pair<const char*, double>> numbers_of(const Diagnostics& d)
+{
+  return { { "Area", d.area }, { "Volume", d.volume }, { "Reduced_Volume", d.reduced_volume },
+    { "Bending_Energy", d.bending_energy }, { "Area_Drift", d.area_drift },
+    { "Volume_Drift", d.volume_drift } };
+}
+
+void add_number(vtkPolyData* output, const char* name, double value)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  output->GetFieldData()->AddArray(array);
+}
+
+bool is_chosen(const Scene& scene, const std::string& field)
+{
+  const auto& chosen = scene.output.fields;
+  return chosen.empty() || std::find(chosen.begin(), chosen.end(), field) != chosen.end();
+}
+
+/// Every multiple of output_every from `from` to the end, and the end.
+std::vector<double> output_times(double from, double every, double end)
+{
+  std::vector<double> times{ from };
+  if (every > 0)
+  {
+    for (double k = std::floor(from / every) + 1; k * every < end; ++k)
+    {
+      if (!vesicle::same_time(k * every, end) && !vesicle::same_time(k * every, from))
+      {
+        times.push_back(k * every);
+      }
+    }
+  }
+  if (end > from)
+  {
+    times.push_back(end);
+  }
+  return times;
+}
+
+}
+
+struct vtkVesicleStepper::Internals
+{
+  std::string SceneFileName;
+  std::vector<std::string> Overrides;
+  std::optional<Scene> GivenScene;
+  std::optional<State> GivenState;
+  std::string ErrorMessage;
+
+  vtkTimeStamp Changed; // the settings above; MTime also moves with SetAbortExecute
+
+  // What the settings above led to.
+  Scene CurrentScene;
+  vtkMTimeType SceneTime = 0;
+  std::unique_ptr<Simulation> Sim;
+  std::unique_ptr<vesicle::Trajectory> Path;
+  vtkMTimeType SimulationTime = 0;
+
+  std::optional<Diagnostics> LastDiagnostics;
+  std::int64_t DiagnosedStep = -1;
+
+  void ReadScene()
+  {
+    if (this->SceneTime >= this->Changed)
+    {
+      return;
+    }
+    if (this->GivenScene)
+    {
+      this->CurrentScene = *this->GivenScene;
+    }
+    else if (this->SceneFileName.empty())
+    {
+      throw vesicle::InputError("no scene: set SceneFileName");
+    }
+    else
+    {
+      this->CurrentScene = vesicle::read_scene(this->SceneFileName, this->Overrides);
+    }
+    this->SceneTime = this->Changed;
+  }
+
+  vesicle::TriangleMesh StartMesh(vtkPolyData* input) const
+  {
+    if (input)
+    {
+      return vesicle::to_mesh(input);
+    }
+    const auto& file = this->CurrentScene.vesicle.mesh_file;
+    return file
+      ? vesicle::place_start_mesh(this->CurrentScene, vesicle::to_mesh(vesicle::read_mesh(*file)))
+      : vesicle::make_start_mesh(this->CurrentScene);
+  }
+
+  void Prepare(vtkPolyData* input, int cache_size)
+  {
+    const vtkMTimeType input_time = input ? input->GetMTime() : 0;
+    const vtkMTimeType needed = std::max(this->Changed.GetMTime(), input_time);
+    if (this->Path && this->SimulationTime >= needed)
+    {
+      return;
+    }
+    this->Path.reset();
+    this->Sim = std::make_unique<Simulation>(this->CurrentScene, this->StartMesh(input));
+    State start = this->GivenState ? *this->GivenState : this->Sim->start();
+    this->Path = std::make_unique<vesicle::Trajectory>(*this->Sim, std::move(start), cache_size);
+    this->DiagnosedStep = -1;
+    this->SimulationTime = needed;
+  }
+
+  const Diagnostics& Diagnose()
+  {
+    const State& last = this->Path->last();
+    if (this->DiagnosedStep != last.step)
+    {
+      this->LastDiagnostics = this->Sim->diagnose(last);
+      this->DiagnosedStep = last.step;
+    }
+    return *this->LastDiagnostics;
+  }
+
+  Diagnostics Diagnose(const State& state)
+  {
+    return state.step == this->Path->last().step ? this->Diagnose() : this->Sim->diagnose(state);
+  }
+
+  void AddNumbers(const Moment& moment, vtkPolyData* output)
+  {
+    add_number(output, "TimeValue", moment.time);
+    auto numbers = numbers_of(this->Diagnose(*moment.before));
+    if (moment.after)
+    {
+      const auto later = numbers_of(this->Diagnose(*moment.after));
+      for (std::size_t i = 0; i < numbers.size(); ++i)
+      {
+        numbers[i].second += share(moment) * (later[i].second - numbers[i].second);
+      }
+    }
+    for (const auto& [name, value] : numbers)
+    {
+      add_number(output, name, value);
+    }
+  }
+
+  void Deliver(const Moment& moment, vtkPolyData* output)
+  {
+    output->SetPoints(vesicle::to_vtk_points(points_at(*this->Sim, moment)));
+    output->SetPolys(vesicle::to_cells(this->Sim->triangles()));
+    for (const auto& [name, values] : fields_at(*this->Sim, moment))
+    {
+      if (is_chosen(this->CurrentScene, name))
+      {
+        output->GetPointData()->AddArray(vesicle::to_array(name, values));
+      }
+    }
+    output->GetPointData()->SetActiveScalars("Mean_Curvature");
+    output->GetPointData()->SetActiveNormals("Normals");
+    this->AddNumbers(moment, output);
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), moment.time);
+  }
+};
+
+vtkStandardNewMacro(vtkVesicleStepper);
+
+vtkVesicleStepper::vtkVesicleStepper() : Internal(std::make_unique<Internals>())
+{
+  this->Internal->Changed.Modified();
+}
+
+vtkVesicleStepper::~vtkVesicleStepper() = default;
+
+void vtkVesicleStepper::SettingsChanged()
+{
+  this->Internal->Changed.Modified();
+  this->Modified();
+}
+
+void vtkVesicleStepper::SetSceneFileName(const char* name)
+{
+  this->Internal->SceneFileName = name ? name : "";
+  this->Internal->GivenScene.reset();
+  this->SettingsChanged();
+}
+
+const char* vtkVesicleStepper::GetSceneFileName()
+{
+  return this->Internal->SceneFileName.c_str();
+}
+
+void vtkVesicleStepper::AddOverride(const char* setting)
+{
+  this->Internal->Overrides.push_back(setting ? setting : "");
+  this->SettingsChanged();
+}
+
+void vtkVesicleStepper::RemoveAllOverrides()
+{
+  this->Internal->Overrides.clear();
+  this->SettingsChanged();
+}
+
+int vtkVesicleStepper::GetNumberOfOverrides()
+{
+  return static_cast<int>(this->Internal->Overrides.size());
+}
+
+const char* vtkVesicleStepper::GetErrorMessage()
+{
+  return this->Internal->ErrorMessage.c_str();
+}
+
+double vtkVesicleStepper::GetStateTime()
+{
+  return this->GetState() ? this->GetState()->time : 0;
+}
+
+vtkIdType vtkVesicleStepper::GetNumberOfSteps()
+{
+  return this->GetState() ? this->GetState()->step : 0;
+}
+
+bool vtkVesicleStepper::GetFinished()
+{
+  return this->Internal->Path && this->Internal->Path->finished();
+}
+
+void vtkVesicleStepper::SetScene(const Scene& scene)
+{
+  this->Internal->GivenScene = scene;
+  this->SettingsChanged();
+}
+
+void vtkVesicleStepper::SetState(const State& state)
+{
+  this->Internal->GivenState = state;
+  this->SettingsChanged();
+}
+
+const Simulation* vtkVesicleStepper::GetSimulation() const
+{
+  return this->Internal->Path ? this->Internal->Sim.get() : nullptr;
+}
+
+const State* vtkVesicleStepper::GetState() const
+{
+  return this->Internal->Path ? &this->Internal->Path->last() : nullptr;
+}
+
+const Diagnostics& vtkVesicleStepper::GetDiagnostics() const
+{
+  return this->Internal->Diagnose();
+}
+
+int vtkVesicleStepper::FillInputPortInformation(int port, vtkInformation* info)
+{
+  this->Superclass::FillInputPortInformation(port, info);
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+void vtkVesicleStepper::ForgetFailure()
+{
+  this->ErrorCategory = NoFailure;
+  this->Internal->ErrorMessage.clear();
+}
+
+template<class Work>
+bool vtkVesicleStepper::Guarded(const Work& work)
+{
+  try
+  {
+    work();
+    return true;
+  }
+  catch (const vesicle::NumericalError& error)
+  {
+    this->ErrorCategory = NumericalFailure;
+    this->Internal->ErrorMessage = error.what();
+  }
+  catch (const vesicle::IoError& error)
+  {
+    this->ErrorCategory = IoFailure;
+    this->Internal->ErrorMessage = error.what();
+  }
+  catch (const std::exception& error)
+  {
+    this->ErrorCategory = InputFailure;
+    this->Internal->ErrorMessage = error.what();
+  }
+  vtkErrorMacro(<< this->Internal->ErrorMessage);
+  return false;
+}
+
+int vtkVesicleStepper::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  this->ForgetFailure();
+  if (!this->Guarded([&] { this->Internal->ReadScene(); }))
+  {
+    return 0;
+  }
+  vtkInformation* info = outputs->GetInformationObject(0);
+  const auto& time = this->Internal->CurrentScene.time;
+  const auto& state = this->Internal->GivenState;
+  const double start = state ? state->time : 0;
+  std::optional<double> end = time.end;
+  if (!end && this->GetFinished())
+  {
+    end = this->GetStateTime();
+  }
+  const double range[2] = { start, end ? std::max(*end, start) : VTK_DOUBLE_MAX };
+  info->Set(Pipeline::TIME_RANGE(), range, 2);
+  if (end)
+  {
+    const auto times = output_times(start, time.output_every, *end);
+    info->Set(Pipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
+  }
+  else
+  {
+    info->Remove(Pipeline::TIME_STEPS());
+  }
+  return 1;
+}
+
+void vtkVesicleStepper::AdvanceTo(double time)
+{
+  auto& path = *this->Internal->Path;
+  const double from = path.last().time;
+  while (!path.finished() && path.last().time < time &&
+    !vesicle::same_time(path.last().time, time) && !this->GetAbortExecute())
+  {
+    path.advance();
+    this->InvokeEvent(StepAcceptedEvent);
+    this->ShareProgress(from, time);
+  }
+}
+
+void vtkVesicleStepper::ShareProgress(double from, double to)
+{
+  const double done = this->GetStateTime() - from;
+  this->UpdateProgress(to < VTK_DOUBLE_MAX ? std::min(1.0, done / (to - from)) : 0.5);
+}
+
+int vtkVesicleStepper::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  vtkInformation* info = outputs->GetInformationObject(0);
+  auto& internal = *this->Internal;
+  this->ForgetFailure();
+  if (!this->Guarded(
+        [&]
+        {
+          internal.ReadScene();
+          internal.Prepare(vtkPolyData::GetData(inputs[0]), this->CacheSize);
+        }))
+  {
+    return 0;
+  }
+  const double time = info->Has(Pipeline::UPDATE_TIME_STEP())
+    ? info->Get(Pipeline::UPDATE_TIME_STEP())
+    : internal.Path->start_time();
+  this->Guarded([&] { this->AdvanceTo(time); }); // after a failure the last good state is delivered
+  return this->Guarded([&] { internal.Deliver(internal.Path->at(time), output); });
+}
+
+void vtkVesicleStepper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SceneFileName: " << this->GetSceneFileName() << '\n';
+  for (const auto& setting : this->Internal->Overrides)
+  {
+    os << indent << "Override: " << setting << '\n';
+  }
+  os << indent << "CacheSize: " << this->CacheSize << '\n';
+  os << indent << "ErrorCategory: " << this->ErrorCategory << '\n';
+  os << indent << "ErrorMessage: " << this->GetErrorMessage() << '\n';
+  os << indent << "StateTime: " << this->GetStateTime() << '\n';
+}
