@@ -19,6 +19,8 @@ public:
   /// result does not depend on their number. Throws NumericalError if the matrix is singular.
   void compute(Matrix matrix);
   int size() const { return static_cast<int>(lu_.rows()); }
+  /// One over the largest entry of each row: rows times this are of one size.
+  Eigen::VectorXd row_scale() const { return row_scale_.cast<double>(); }
   Eigen::VectorXd solve(const Eigen::VectorXd& right_side) const;
 
 private:

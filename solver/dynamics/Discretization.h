@@ -1,7 +1,7 @@
 #pragma once
 // How a shape becomes operators: flat linear elements, or Loop's limit surface. In both the unknown
-// positions x are the vertices on the surface, where velocities are collocated; a smooth basis has control
-// points c with x = P c beside them.
+// positions x are the vertices on the surface, where velocities are collocated; a smooth basis has
+// control points c with x = P c beside them.
 
 #include "solver/dynamics/Model.h"
 #include "solver/geometry/Cotan.h"
@@ -21,37 +21,37 @@ struct Constraints
   Eigen::VectorXd area_direction, volume_direction; ///< about 2 H n and n
 };
 
-/// Everything about one shape. Densities are forces an area, the membrane's on the fluid. A term that the
-/// scene doesn't have is empty.
+/// Everything about one shape. Densities are forces an area, the membrane's on the fluid. A term
+/// that the scene doesn't have is empty.
 struct ShapeOperators
 {
-  Points vertices, control;          ///< the same for linear elements
+  Points vertices, control; ///< the same for linear elements
   double area, volume;
-  Vector3 center;                    ///< centroid of the volume
-  Eigen::VectorXd vertex_area;       ///< ∮ N_k dS
-  Points outward;                    ///< unit normals at the vertices
-  Curvature curvature;               ///< at the vertices
-  double bending_energy;             ///< EB = 1
+  Vector3 center;              ///< centroid of the volume
+  Eigen::VectorXd vertex_area; ///< ∮ N_k dS
+  Points outward;              ///< unit normals at the vertices
+  Curvature curvature;         ///< at the vertices
+  double bending_energy;       ///< EB = 1
 
   // Act on velocities at the vertices.
-  Eigen::VectorXd volume_gradient;   ///< ∂V/∂x
+  Eigen::VectorXd volume_gradient;                            ///< ∂V/∂x
   Eigen::Matrix<double, 3, Eigen::Dynamic> centroid_velocity; ///< W: U = W u
 
   // Act on velocities of the control points.
-  SparseMatrix area_rate;            ///< B: d(∮ N_k dS)/dt, N by 3N
-  SparseMatrix divergence;           ///< the constraint's rows, or empty
-  SparseMatrix divergence_filter;    ///< added to the constraint's rows, acts on γ: N by N, or empty
-  SparseMatrix bending_response;     ///< R: M δφ = R δc, N by 3N, or empty
+  SparseMatrix area_rate;         ///< B: d(∮ N_k dS)/dt, N by 3N
+  SparseMatrix divergence;        ///< the constraint's rows, or empty
+  SparseMatrix divergence_filter; ///< added to the constraint's rows, acts on γ: N by N, or empty
+  SparseMatrix bending_response;  ///< R: M δφ = R δc, N by 3N, or empty
 
-  SparseMatrix bending_mass;         ///< M; empty: identity
-  Eigen::VectorXd bending;           ///< φ: nodal normal density of bending, or empty
-  Eigen::VectorXd load;              ///< gravity's nodal density: 3N (linear), N along the normal (Loop)
-  Eigen::VectorXd ambient;           ///< u∞ at the vertices: 3N
-  Points force_normal;               ///< linear elements: nodal direction of φ
-  SparseMatrix tension_force;        ///< linear elements: T, nodal density of a tension, 3N by N
+  SparseMatrix bending_mass;  ///< M; empty: identity
+  Eigen::VectorXd bending;    ///< φ: nodal normal density of bending, or empty
+  Eigen::VectorXd load;       ///< gravity's nodal density: 3N (linear), N along the normal (Loop)
+  Eigen::VectorXd ambient;    ///< u∞ at the vertices: 3N
+  Points force_normal;        ///< linear elements: nodal direction of φ
+  SparseMatrix tension_force; ///< linear elements: T, nodal density of a tension, 3N by N
 
-  /// True where the shape is so close to a sphere that a uniform tension does no work: then the total
-  /// area follows from the volume, and the gauge of the tension is fixed to a zero mean.
+  /// True where the shape is so close to a sphere that a uniform tension does no work: then the
+  /// total area follows from the volume, and the gauge of the tension is fixed to a zero mean.
   bool gauge_pinned = false;
 };
 
@@ -88,8 +88,9 @@ std::unique_ptr<Discretization> make_linear_discretization(
 std::unique_ptr<Discretization> make_loop_discretization(
   const Model& model, const Triangles& triangles, int nodes, int quadrature);
 
-/// A relative deviation of the nodes' distance to the centre below 1e-3 counts as a sphere: the area in
-/// excess of a sphere's, its square, is then below 1e-6 and far below what the mesh resolves.
+/// A relative deviation of the nodes' distance to the centre below 1e-3 counts as a sphere: the
+/// area in excess of a sphere's, its square, is then below 1e-6 and far below what the mesh
+/// resolves.
 bool nearly_sphere(const Points& points, const Vector3& center);
 
 /// 3N view of N by 3 points, and back.

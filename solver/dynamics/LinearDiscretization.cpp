@@ -27,9 +27,8 @@ class LinearDiscretization final : public Discretization
 {
 public:
   LinearDiscretization(const Model& model, const Triangles& triangles, int nodes, int quadrature)
-    : model_(model)
-    , basis_(triangles, nodes)
-    , layer_(basis_, LayerQuadrature{ quadrature, 0, 1, 4 })
+    : model_(model), basis_(triangles, nodes),
+      layer_(basis_, LayerQuadrature{ quadrature, 0, 1, 4 })
   {
   }
 
@@ -61,19 +60,19 @@ public:
     if (model_.incompressible)
     {
       s.gauge_pinned = nearly_sphere(points, s.center);
-      s.divergence =
-        model_.robust() ? s.area_rate : surface_divergence_matrix(cotan, s.area_rate);
+      s.divergence = model_.robust() ? s.area_rate : surface_divergence_matrix(cotan, s.area_rate);
       s.tension_force = model_.robust()
         ? density_of(SparseMatrix(-s.area_rate.transpose()), s.vertex_area)
         : tension_force_matrix(cotan, points, basis_.elements(), s.force_normal);
     }
     if (model_.bond != 0)
     {
-      // Robust: ∮ N_k z n dS, with z from the centroid. A constant added to z is a pressure, which does
-      // nothing; nodal forces that sum the load exactly keep net force and torque exact.
+      // Robust: ∮ N_k z n dS, with z from the centroid. A constant added to z is a pressure, which
+      // does nothing; nodal forces that sum the load exactly keep net force and torque exact.
       const Eigen::VectorXd height = surface.position.col(2).array() - s.center.z();
       s.load = model_.robust()
-        ? density_of(Eigen::VectorXd(model_.bond * normal_load(table, surface, height)), s.vertex_area)
+        ? density_of(
+            Eigen::VectorXd(model_.bond * normal_load(table, surface, height)), s.vertex_area)
         : scaled_rows(s.force_normal, model_.bond * points.col(2));
     }
     if (model_.flow)
@@ -102,15 +101,13 @@ public:
 
   void respond(const ShapeOperators& s, VelocityResponse& response) const override
   {
-    layer_.respond(
-      s.vertices, s.force_normal, model_.bending, s.tension_force, s.load, response);
+    layer_.respond(s.vertices, s.force_normal, model_.bending, s.tension_force, s.load, response);
   }
 
   Eigen::VectorXd to_control(const Eigen::VectorXd& velocity) const override { return velocity; }
   void to_control(RowsF&) const override {}
 
-  Eigen::VectorXd bending_force(
-    const ShapeOperators& s, const Eigen::VectorXd& phi) const override
+  Eigen::VectorXd bending_force(const ShapeOperators& s, const Eigen::VectorXd& phi) const override
   {
     return scaled_rows(s.force_normal, phi);
   }

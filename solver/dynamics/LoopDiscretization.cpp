@@ -16,8 +16,8 @@ namespace
 
 using ColumnMatrix = Eigen::SparseMatrix<double>;
 
-// Levels by which elements at extraordinary vertices are refined: for geometry, which costs little, and for
-// the single layer.
+// Levels by which elements at extraordinary vertices are refined: for geometry, which costs little,
+// and for the single layer.
 constexpr int geometry_grading = 3, layer_grading = 1;
 constexpr int geometry_points = 6;
 // The layer's Duffy rule.
@@ -25,22 +25,21 @@ constexpr int radial_points = 3, angular_points = 4;
 // Bounds of the eigenvalues of P: 1/4 to 1 for valence six, a little lower for small valences.
 constexpr double smallest_eigenvalue = 0.2, largest_eigenvalue = 1;
 constexpr int chebyshev_sweeps = 6;
-// A tension that alternates from node to node does next to no work on a smooth velocity, so the constraint
-// leaves it free (a checkerboard). −filter h³ Δ_s² γ in the constraint's rows takes it out: at the scale of
-// the mesh that is as large as what a smooth tension does there, and on smooth tensions of third order. The
-// total area doesn't feel it. At 320 triangles in shear 1e-3 brings the tension from [3.3, 6.9] to
-// [4.0, 6.6]; a hundred times more changes the inclination by 0.06°.
+// A tension that alternates from node to node does next to no work on a smooth velocity, so the
+// constraint leaves it free (a checkerboard). −filter h³ Δ_s² γ in the constraint's rows takes it
+// out: at the scale of the mesh that is as large as what a smooth tension does there, and on smooth
+// tensions of third order. The total area doesn't feel it. At 320 triangles in shear 1e-3 brings
+// the tension from [3.3, 6.9] to [4.0, 6.6]; a hundred times more changes the inclination by 0.06°.
 constexpr double tension_filter = 1e-3;
 
 class LoopDiscretization final : public Discretization
 {
 public:
   LoopDiscretization(const Model& model, const Triangles& triangles, int nodes, int quadrature)
-    : model_(model)
-    , basis_(triangles, nodes)
-    , geometry_(tabulate_rule(basis_, triangle_rule(geometry_points), geometry_grading))
-    , layer_(basis_, LayerQuadrature{ quadrature, layer_grading, radial_points, angular_points })
-    , P_(basis_.collocation())
+    : model_(model), basis_(triangles, nodes),
+      geometry_(tabulate_rule(basis_, triangle_rule(geometry_points), geometry_grading)),
+      layer_(basis_, LayerQuadrature{ quadrature, layer_grading, radial_points, angular_points }),
+      P_(basis_.collocation())
   {
     ColumnMatrix columns = P_;
     columns.makeCompressed();
@@ -72,9 +71,8 @@ public:
 
     s.bending_mass = mass_matrix(geometry_, surface);
     const Eigen::SimplicialLDLT<ColumnMatrix> mass{ ColumnMatrix(s.bending_mass) };
-    const auto project = [&](const Eigen::VectorXd& load) -> Eigen::VectorXd {
-      return mass.solve(load);
-    };
+    const auto project = [&](const Eigen::VectorXd& load) -> Eigen::VectorXd
+    { return mass.solve(load); };
     const Eigen::VectorXd phi = project(bending_load(geometry_, surface, curvature));
     s.curvature.normal = s.outward;
     s.curvature.mean = at_vertices(project(moments(geometry_, surface, curvature.mean)));
@@ -85,15 +83,15 @@ public:
     if (model_.bending)
     {
       s.bending = phi;
-      s.bending_response =
-        along_normals(bending_hessian(geometry_, surface, curvature), s.outward);
+      s.bending_response = along_normals(bending_hessian(geometry_, surface, curvature), s.outward);
     }
     if (model_.incompressible)
     {
       s.gauge_pinned = nearly_sphere(vertices, s.center);
       s.divergence = s.area_rate;
       const double h = std::sqrt(s.area / static_cast<double>(basis_.elements().rows()));
-      s.divergence_filter = -tension_filter * h * h * h * bilaplacian(geometry_, surface, curvature);
+      s.divergence_filter =
+        -tension_filter * h * h * h * bilaplacian(geometry_, surface, curvature);
     }
     if (model_.bond != 0) // z = Σ N_k c_k exactly
       s.load = model_.bond * (s.control.col(2).array() - s.center.z());
@@ -111,8 +109,8 @@ public:
     const Eigen::VectorXd mean =
       moments(geometry_, surface, mean_curvature(geometry_, surface, control)).cwiseQuotient(mass);
     return { vesicle::area(surface), vesicle::volume(geometry_, surface),
-      from_control(area_rate_matrix(geometry_, surface).transpose() *
-        Eigen::VectorXd::Ones(vertices.rows())),
+      from_control(
+        area_rate_matrix(geometry_, surface).transpose() * Eigen::VectorXd::Ones(vertices.rows())),
       from_control(volume_gradient(geometry_, surface)), scaled_rows(normal, 2 * mean),
       flat(normal) };
   }
@@ -121,8 +119,7 @@ public:
   {
     const Points control = rows_of_three(to_control(flat(vertices)));
     const SurfacePoints surface = evaluate(geometry_, control);
-    return 2 *
-      surface.area_weight.dot(mean_curvature(geometry_, surface, control).cwiseAbs2());
+    return 2 * surface.area_weight.dot(mean_curvature(geometry_, surface, control).cwiseAbs2());
   }
 
   void respond(const ShapeOperators& s, VelocityResponse& response) const override
@@ -149,11 +146,13 @@ public:
     {
       const double next = 1 / (2 * sigma - rho);
       RowsF residual = b;
-      tbb::parallel_for(0, static_cast<int>(P_.rows()), [&](int i) {
-        for (SparseMatrix::InnerIterator it(P_, i); it; ++it)
-          residual.middleRows<3>(3 * i) -=
-            static_cast<float>(it.value()) * x.middleRows<3>(3 * it.col());
-      });
+      tbb::parallel_for(0, static_cast<int>(P_.rows()),
+        [&](int i)
+        {
+          for (SparseMatrix::InnerIterator it(P_, i); it; ++it)
+            residual.middleRows<3>(3 * i) -=
+              static_cast<float>(it.value()) * x.middleRows<3>(3 * it.col());
+        });
       direction = static_cast<float>(next * rho) * direction +
         static_cast<float>(2 * next / radius) * residual;
       x += direction;
@@ -162,15 +161,15 @@ public:
     velocities = std::move(x);
   }
 
-  Eigen::VectorXd bending_force(
-    const ShapeOperators& s, const Eigen::VectorXd& phi) const override
+  Eigen::VectorXd bending_force(const ShapeOperators& s, const Eigen::VectorXd& phi) const override
   {
     return scaled_rows(s.outward, at_vertices(phi));
   }
   Eigen::VectorXd tension_force(
     const ShapeOperators& s, const Eigen::VectorXd& gamma) const override
   {
-    // The density's nodal values by lumping: for output and power only, the dynamics use it pointwise.
+    // The density's nodal values by lumping: for output and power only, the dynamics use it
+    // pointwise.
     const Eigen::VectorXd nodal = -(s.area_rate.transpose() * gamma);
     return scaled_rows(rows_of_three(nodal), s.vertex_area.cwiseInverse());
   }

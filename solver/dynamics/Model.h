@@ -13,8 +13,8 @@ struct Model
 {
   bool bending = false;
   bool incompressible = true;
-  double bond = 0;                  ///< Δρ g r0⁴/EB; 0: no buoyancy
-  std::optional<Scene::Flow> flow;  ///< dimensionless
+  double bond = 0;                 ///< Δρ g r0⁴/EB; 0: no buoyancy
+  std::optional<Scene::Flow> flow; ///< dimensionless
   Scene::Scheme scheme = Scene::Scheme::robust;
 
   bool robust() const { return scheme == Scene::Scheme::robust; }

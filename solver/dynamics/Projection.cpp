@@ -24,8 +24,7 @@ ProjectionResult project_area_and_volume(Points& points, const Discretization& d
   for (int sweep = 0; sweep < max_sweeps; ++sweep)
   {
     const Constraints c = discretization.constraints(points);
-    const Eigen::Vector2d error(
-      volume_only ? 0 : target_area - c.area, target_volume - c.volume);
+    const Eigen::Vector2d error(volume_only ? 0 : target_area - c.area, target_volume - c.volume);
     if (sweep == 0)
       result = { std::abs(error[0]) / target_area, std::abs(error[1]) / target_volume };
     if (std::abs(error[0]) <= tolerance * target_area &&

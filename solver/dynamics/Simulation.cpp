@@ -66,7 +66,8 @@ StepperSettings make_settings(const Scene& scene)
   settings.quadrature = scene.accuracy.quadrature;
   settings.linear_tolerance = scene.accuracy.linear_tolerance;
   settings.adaptive = !scene.time.step;
-  settings.limits.tolerance = scene.time.tolerance;
+  // A step that the user has fixed is taken whatever its error is estimated at.
+  settings.limits.tolerance = settings.adaptive ? scene.time.tolerance : INFINITY;
   return settings;
 }
 
@@ -142,7 +143,8 @@ bool Simulation::Impl::overshoots(const State& state) const
 
 bool Simulation::Impl::steady(const State& state) const
 {
-  const ShapeOperators shape = stepper.discretization().shape(state.points);
+  const auto kept = stepper.shape(state.points);
+  const ShapeOperators& shape = *kept;
   const Eigen::VectorXd relative = StageProblem::relative_to_centroid(shape, flat(state.velocity));
   const double speed =
     shape.outward.cwiseProduct(rows_of_three(relative)).rowwise().sum().cwiseAbs().maxCoeff();
@@ -180,7 +182,8 @@ State Simulation::start() const
 {
   State state;
   state.points = impl_->start_mesh.points / impl_->scales.length;
-  const ShapeOperators shape = impl_->stepper.discretization().shape(state.points);
+  const auto kept = impl_->stepper.shape(state.points);
+  const ShapeOperators& shape = *kept;
   state.target_area = shape.area;
   state.target_volume = shape.volume;
   state.free_step = impl_->scene.time.step ? *impl_->scene.time.step / impl_->scales.time()
@@ -263,7 +266,8 @@ Diagnostics Simulation::diagnose(const State& state) const
 {
   const Impl& impl = *impl_;
   const Scales& unit = impl.scales;
-  const ShapeOperators shape = impl.stepper.discretization().shape(state.points);
+  const auto kept = impl.stepper.shape(state.points);
+  const ShapeOperators& shape = *kept;
   const TriangleMesh mesh{ state.points, impl.start_mesh.triangles };
   const Eigen::VectorXd u = flat(state.velocity);
   const Vector3 U = shape.centroid_velocity * u;
@@ -278,7 +282,10 @@ Diagnostics Simulation::diagnose(const State& state) const
   d.volume_drift = shape.volume / state.target_volume - 1;
   d.area_correction = state.area_correction;
   d.volume_correction = state.volume_correction;
-  d.divergence = (shape.area_rate * impl.stepper.discretization().to_control(u)).cwiseQuotient(shape.vertex_area).cwiseAbs().maxCoeff();
+  d.divergence = (shape.area_rate * impl.stepper.discretization().to_control(u))
+                   .cwiseQuotient(shape.vertex_area)
+                   .cwiseAbs()
+                   .maxCoeff();
   d.reduced_volume = reduced_volume(shape.area, shape.volume);
 
   // Power of the densities: gravity's on the membrane, and the ambient flow's work against all
@@ -361,7 +368,8 @@ std::map<std::string, Eigen::MatrixXd> Simulation::fields(const State& state) co
 {
   const Impl& impl = *impl_;
   const Scales& unit = impl.scales;
-  const ShapeOperators shape = impl.stepper.discretization().shape(state.points);
+  const auto kept = impl.stepper.shape(state.points);
+  const ShapeOperators& shape = *kept;
   const Discretization& operators = impl.stepper.discretization();
   std::map<std::string, Eigen::MatrixXd> fields;
   fields["Mean_Curvature"] = shape.curvature.mean * unit.curvature();
@@ -370,8 +378,8 @@ std::map<std::string, Eigen::MatrixXd> Simulation::fields(const State& state) co
     shape.curvature.laplacian_mean * std::pow(unit.curvature(), 3);
   fields["Normals"] = shape.outward;
   fields["Velocity"] = state.velocity * unit.velocity();
-  fields["Surface_Divergence"] =
-    (shape.area_rate * operators.to_control(flat(state.velocity))).cwiseQuotient(shape.vertex_area) /
+  fields["Surface_Divergence"] = (shape.area_rate * operators.to_control(flat(state.velocity)))
+                                   .cwiseQuotient(shape.vertex_area) /
     unit.time();
 
   Points membrane = Points::Zero(state.points.rows(), 3);

@@ -27,15 +27,12 @@ void add_row_product(
 
 StageProblem::StageProblem(const Model& model, const Discretization& discretization,
   const ShapeOperators& shape, const VelocityResponse& response, double tau)
-  : model_(model)
-  , discretization_(discretization)
-  , shape_(shape)
-  , response_(response)
-  , tau_(tau)
-  , nodes_(static_cast<int>(shape.vertices.rows()))
+  : model_(model), discretization_(discretization), shape_(shape), response_(response), tau_(tau),
+    nodes_(static_cast<int>(shape.vertices.rows()))
 {
   total_ = 0;
-  const auto place = [this](bool present, int size) {
+  const auto place = [this](bool present, int size)
+  {
     const int first = total_;
     total_ += present ? size : 0;
     return present ? first : -1;
@@ -77,8 +74,8 @@ Eigen::VectorXd StageProblem::apply(const Eigen::VectorXd& y) const
     const Eigen::VectorXd psi = part(y, bending_);
     result.segment(bending_, nodes_) =
       (shape_.bending_mass.size() > 0 ? Eigen::VectorXd(shape_.bending_mass * psi) : psi) -
-      tau_ * (shape_.bending_response *
-               discretization_.to_control(relative_to_centroid(shape_, u)));
+      tau_ *
+        (shape_.bending_response * discretization_.to_control(relative_to_centroid(shape_, u)));
   }
   if (tension_ >= 0)
   {
@@ -135,9 +132,13 @@ StageSolution StageProblem::solve(const DenseFactorization& preconditioner, doub
   if (volume_ >= 0)
     b[volume_] = -shape_.volume_gradient.dot(known);
 
-  const GmresResult linear = gmres([this](const Eigen::VectorXd& y) { return apply(y); },
-    [&](const Eigen::VectorXd& r) { return preconditioner.solve(r); }, b, tolerance,
-    max_iterations);
+  // Rows of bending, incompressibility and volume have different units: scaled, one tolerance fits
+  // all.
+  const Eigen::VectorXd scale = preconditioner.row_scale();
+  const GmresResult linear =
+    gmres([&](const Eigen::VectorXd& y) -> Eigen::VectorXd { return apply(y).cwiseProduct(scale); },
+      [&](const Eigen::VectorXd& r) { return preconditioner.solve(r.cwiseQuotient(scale)); },
+      b.cwiseProduct(scale), tolerance, max_iterations);
   if (!linear.solution.allFinite() || !(linear.residual <= tolerance))
     throw NumericalError(fmt::format(
       "the linear solve of {} unknowns did not converge: residual {:.1e} after {} iterations",
@@ -158,14 +159,16 @@ DenseFactorization::Matrix StageProblem::dense() const
 {
   // X: the velocity that each unknown makes, 3N by unknowns; then that of the control points.
   RowsF X = RowsF::Zero(3 * nodes_, total_);
-  tbb::parallel_for(0, 3 * nodes_, [&](int i) {
-    if (bending_ >= 0)
-      X.row(i).segment(bending_, nodes_) = response_.normal.row(i).cast<float>();
-    if (tension_ >= 0)
-      X.row(i).segment(tension_, nodes_) = response_.tension.row(i).cast<float>();
-    if (volume_ >= 0)
-      X(i, volume_) = static_cast<float>(shape_.outward(i / 3, i % 3));
-  });
+  tbb::parallel_for(0, 3 * nodes_,
+    [&](int i)
+    {
+      if (bending_ >= 0)
+        X.row(i).segment(bending_, nodes_) = response_.normal.row(i).cast<float>();
+      if (tension_ >= 0)
+        X.row(i).segment(tension_, nodes_) = response_.tension.row(i).cast<float>();
+      if (volume_ >= 0)
+        X(i, volume_) = static_cast<float>(shape_.outward(i / 3, i % 3));
+    });
   const RowsF centroid = shape_.centroid_velocity.cast<float>() * X;
   const RowsF volume = shape_.volume_gradient.transpose().cast<float>() * X;
   discretization_.to_control(X);
@@ -176,27 +179,30 @@ DenseFactorization::Matrix StageProblem::dense() const
     // The response to the centroid's velocity is taken out: R E W X, E one identity a node.
     Eigen::Matrix<double, Eigen::Dynamic, 3> uniform(nodes_, 3);
     for (int c = 0; c < 3; ++c)
-      uniform.col(c) =
-        shape_.bending_response * Vector3(Vector3::Unit(c)).replicate(nodes_, 1);
-    tbb::parallel_for(0, nodes_, [&](int i) {
-      auto row = matrix.row(bending_ + i);
-      add_row_product(row, -tau_, shape_.bending_response, i, X);
-      for (int c = 0; c < 3; ++c)
-        row += static_cast<float>(tau_ * uniform(i, c)) * centroid.row(c);
-      if (shape_.bending_mass.size() == 0)
-        row[bending_ + i] += 1;
-      else
-        for (SparseMatrix::InnerIterator it(shape_.bending_mass, i); it; ++it)
-          row[bending_ + it.col()] += static_cast<float>(it.value());
-    });
+      uniform.col(c) = shape_.bending_response * Vector3(Vector3::Unit(c)).replicate(nodes_, 1);
+    tbb::parallel_for(0, nodes_,
+      [&](int i)
+      {
+        auto row = matrix.row(bending_ + i);
+        add_row_product(row, -tau_, shape_.bending_response, i, X);
+        for (int c = 0; c < 3; ++c)
+          row += static_cast<float>(tau_ * uniform(i, c)) * centroid.row(c);
+        if (shape_.bending_mass.size() == 0)
+          row[bending_ + i] += 1;
+        else
+          for (SparseMatrix::InnerIterator it(shape_.bending_mass, i); it; ++it)
+            row[bending_ + it.col()] += static_cast<float>(it.value());
+      });
   }
   if (tension_ >= 0)
-    tbb::parallel_for(0, nodes_, [&](int i) {
-      add_row_product(matrix.row(tension_ + i), 1, shape_.divergence, i, X);
-      if (shape_.divergence_filter.size() > 0)
-        for (SparseMatrix::InnerIterator it(shape_.divergence_filter, i); it; ++it)
-          matrix(tension_ + i, tension_ + it.col()) += static_cast<float>(it.value());
-    });
+    tbb::parallel_for(0, nodes_,
+      [&](int i)
+      {
+        add_row_product(matrix.row(tension_ + i), 1, shape_.divergence, i, X);
+        if (shape_.divergence_filter.size() > 0)
+          for (SparseMatrix::InnerIterator it(shape_.divergence_filter, i); it; ++it)
+            matrix(tension_ + i, tension_ + it.col()) += static_cast<float>(it.value());
+      });
   if (volume_ >= 0)
     matrix.row(volume_) = volume;
   if (slack_ >= 0)

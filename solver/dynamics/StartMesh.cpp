@@ -42,9 +42,9 @@ SurfaceMeasures surface_measures(const Scene& scene, const TriangleMesh& mesh)
   return { c.area, c.volume };
 }
 
-// The shape whose surface, in the scene's basis, has the reduced volume asked for and r0 = 1. make_shape
-// gives it to the flat triangles; for another basis the request is shifted until it holds there (the
-// difference hardly depends on the request, so a few corrections do).
+// The shape whose surface, in the scene's basis, has the reduced volume asked for and r0 = 1.
+// make_shape gives it to the flat triangles; for another basis the request is shifted until it
+// holds there (the difference hardly depends on the request, so a few corrections do).
 static TriangleMesh shape_on_surface(const Scene& scene)
 {
   ShapeRequest request = scene.vesicle.shape;
@@ -70,7 +70,8 @@ static TriangleMesh shape_on_surface(const Scene& scene)
 TriangleMesh make_start_mesh(const Scene& scene)
 {
   TriangleMesh mesh = shape_on_surface(scene);
-  mesh.points = (scene.vesicle.radius * mesh.points * orientation(scene.vesicle).transpose()).eval();
+  mesh.points =
+    (scene.vesicle.radius * mesh.points * orientation(scene.vesicle).transpose()).eval();
   mesh.points.rowwise() += scene.vesicle.center.transpose();
   return mesh;
 }

@@ -43,12 +43,11 @@ double largest_normal(const ShapeOperators& shape, const Eigen::VectorXd& vector
 
 Stepper::Stepper(
   const Model& model, const Triangles& triangles, int nodes, const StepperSettings& settings)
-  : model_(model)
-  , settings_(settings)
-  , discretization_((settings.basis == Scene::Basis::loop
+  : model_(model), settings_(settings),
+    discretization_((settings.basis == Scene::Basis::loop
         ? make_loop_discretization
-        : make_linear_discretization)(model, triangles, nodes, settings.quadrature))
-  , neighbours_(Connectivity(triangles, nodes).vertex_neighbours)
+        : make_linear_discretization)(model, triangles, nodes, settings.quadrature)),
+    neighbours_(Connectivity(triangles, nodes).vertex_neighbours)
 {
 }
 
@@ -64,6 +63,13 @@ double Stepper::implicit_fraction() const
   return settings_.integrator == Scene::Integrator::imex_midpoint ? sdirk_gamma : 1;
 }
 
+std::shared_ptr<const ShapeOperators> Stepper::shape(const Points& vertices) const
+{
+  if (!shape_ || shape_->vertices != vertices)
+    shape_ = std::make_shared<const ShapeOperators>(discretization_->shape(vertices));
+  return shape_;
+}
+
 bool Stepper::only_relaxes() const
 {
   return model_.bending && model_.robust() && model_.bond == 0 && !model_.flow;
@@ -73,9 +79,9 @@ double Stepper::longest_step(const State& state) const
 {
   if (settings_.mesh_motion == Scene::MeshMotion::material)
     return INFINITY;
-  const ShapeOperators now = discretization_->shape(state.points);
-  const double speed = tangential_speed(now, state.velocity);
-  const double relaxation = relaxation_rate(now, state.velocity, scene_rate());
+  const auto now = shape(state.points);
+  const double speed = tangential_speed(*now, state.velocity);
+  const double relaxation = relaxation_rate(*now, state.velocity, scene_rate());
   return std::min(longest_relaxation / relaxation,
     speed > 0 ? longest_passage * mean_edge(state.points, neighbours_) / speed : INFINITY);
 }
@@ -95,10 +101,11 @@ void Stepper::restore_preconditioner(const State& state) const
     (factorized_step_ == state.preconditioner_step &&
       factorized_points_ == state.preconditioner_points))
     return;
-  const ShapeOperators there = discretization_->shape(state.preconditioner_points);
-  discretization_->respond(there, response_);
+  const auto there = shape(state.preconditioner_points);
+  discretization_->respond(*there, response_);
   State unused;
-  factorize(StageProblem(model_, *discretization_, there, response_, implicit_fraction() * state.preconditioner_step),
+  factorize(StageProblem(model_, *discretization_, *there, response_,
+              implicit_fraction() * state.preconditioner_step),
     unused, state.preconditioner_points, state.preconditioner_step);
 }
 
@@ -106,9 +113,10 @@ Stepper::Stage Stepper::solve_stage(
   State& state, const Points& points, double dt, const Eigen::VectorXd& reference) const
 {
   restore_preconditioner(state);
-  Stage stage{ discretization_->shape(points), {} };
-  discretization_->respond(stage.shape, response_);
-  const StageProblem problem(model_, *discretization_, stage.shape, response_, implicit_fraction() * dt);
+  Stage stage{ shape(points), {} };
+  discretization_->respond(*stage.shape, response_);
+  const StageProblem problem(
+    model_, *discretization_, *stage.shape, response_, implicit_fraction() * dt);
   const double ratio = state.preconditioner_step > 0 ? dt / state.preconditioner_step : 0;
   const bool fresh = !(ratio < stale_step_ratio && ratio > 1 / stale_step_ratio) ||
     factorization_.size() != problem.unknowns();
@@ -148,7 +156,7 @@ void Stepper::solve(State& state) const
   state.tension = stage.solution.tension;
   state.bending = stage.solution.bending;
   state.volume_speed = Eigen::VectorXd::Constant(1, stage.solution.volume_speed);
-  state.node_velocity = node_velocity(stage.shape, state.points, state.velocity);
+  state.node_velocity = node_velocity(*stage.shape, state.points, state.velocity);
 }
 
 State Stepper::attempt(const State& before, StepReport& report) const
@@ -159,9 +167,9 @@ State Stepper::attempt(const State& before, StepReport& report) const
   after.last_step = dt;
   after.step = before.step + 1;
   report = {};
-  const ShapeOperators start = discretization_->shape(before.points);
-  const Eigen::VectorXd first = StageProblem::relative_to_centroid(start, flat(before.velocity));
-  report.displacement = dt * largest_normal(start, first) / mean_edge(before.points, neighbours_);
+  const auto start = shape(before.points);
+  const Eigen::VectorXd first = StageProblem::relative_to_centroid(*start, flat(before.velocity));
+  report.displacement = dt * largest_normal(*start, first) / mean_edge(before.points, neighbours_);
 
   if (settings_.integrator == Scene::Integrator::imex_euler)
     after.points = before.points + dt * before.node_velocity;
@@ -170,27 +178,27 @@ State Stepper::attempt(const State& before, StepReport& report) const
     const Points halfway = before.points + dt / 2 * before.node_velocity;
     const Stage middle = solve_stage(after, halfway, dt, first);
     const Points u = rows_of_three(middle.solution.velocity);
-    after.points = before.points + dt * node_velocity(middle.shape, halfway, u);
+    after.points = before.points + dt * node_velocity(*middle.shape, halfway, u);
     report.error =
-      dt * largest_normal(middle.shape, middle.solution.velocity - flat(before.velocity));
+      dt * largest_normal(*middle.shape, middle.solution.velocity - flat(before.velocity));
   }
   report.finite = after.points.allFinite();
   if (!report.finite)
     return after;
 
   const Constraints reached = discretization_->constraints(after.points);
-  report.area_change = model_.incompressible ? std::abs(reached.area / start.area - 1) : 0;
-  report.volume_change = std::abs(reached.volume / start.volume - 1);
+  report.area_change = model_.incompressible ? std::abs(reached.area / start->area - 1) : 0;
+  report.volume_change = std::abs(reached.volume / start->volume - 1);
   if (model_.robust() && reason_to_reject(report, settings_.limits).empty())
   {
     const ProjectionResult removed = project_area_and_volume(after.points, *discretization_,
-      before.target_area, before.target_volume, !model_.incompressible || start.gauge_pinned);
+      before.target_area, before.target_volume, !model_.incompressible || start->gauge_pinned);
     after.area_correction += removed.area_removed;
     after.volume_correction += removed.volume_removed;
     report.finite = after.points.allFinite();
     if (only_relaxes())
       report.energy_rise =
-        discretization_->bending_energy(after.points) / start.bending_energy - 1;
+        discretization_->bending_energy(after.points) / start->bending_energy - 1;
   }
   return after;
 }

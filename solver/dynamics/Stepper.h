@@ -36,6 +36,8 @@ public:
     const Model& model, const Triangles& triangles, int nodes, const StepperSettings& settings);
 
   const Discretization& discretization() const { return *discretization_; }
+  /// The operators at a shape; those of the last shapes asked for are kept.
+  std::shared_ptr<const ShapeOperators> shape(const Points& vertices) const;
   /// The rate that sets the pace: the largest of bending's 1, the flow's and buoyancy's.
   double scene_rate() const;
   /// The longest step that mesh motion allows at this state.
@@ -52,7 +54,7 @@ public:
 private:
   struct Stage
   {
-    ShapeOperators shape;
+    std::shared_ptr<const ShapeOperators> shape;
     StageSolution solution;
   };
   Stage solve_stage(
@@ -70,6 +72,7 @@ private:
   AdjacencyList neighbours_;
   // Buffers and the factorisation that the state's preconditioner_points stand for.
   mutable VelocityResponse response_;
+  mutable std::shared_ptr<const ShapeOperators> shape_;
   mutable DenseFactorization factorization_;
   mutable Points factorized_points_;
   mutable double factorized_step_ = 0;

@@ -42,8 +42,9 @@ Points LinearBasis::vertex_normals(const Points& control) const
   Points normals = Points::Zero(nodes_, 3);
   for (const auto& t : triangles_.rowwise())
   {
-    const Eigen::RowVector3d cross = Eigen::RowVector3d(control.row(t[1]) - control.row(t[0]))
-                                       .cross(Eigen::RowVector3d(control.row(t[2]) - control.row(t[0])));
+    const Eigen::RowVector3d cross =
+      Eigen::RowVector3d(control.row(t[1]) - control.row(t[0]))
+        .cross(Eigen::RowVector3d(control.row(t[2]) - control.row(t[0])));
     for (int corner : t)
       normals.row(corner) += cross;
   }

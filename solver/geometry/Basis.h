@@ -25,11 +25,26 @@ struct BasisTable
   std::vector<double> weight; ///< parametric weight of each row
   std::vector<int> start{ 0 };
   std::vector<int> node;             ///< of each entry
-  std::vector<double> value, du, dv;     ///< N_k, ∂N_k/∂u, ∂N_k/∂v of each entry
-  std::vector<double> duu, duv, dvv;     ///< second derivatives; empty for linear elements
+  std::vector<double> value, du, dv; ///< N_k, ∂N_k/∂u, ∂N_k/∂v of each entry
+  std::vector<double> duu, duv, dvv; ///< second derivatives; empty for linear elements
 
   int rows() const { return static_cast<int>(weight.size()); }
 };
+
+/// Calls visit(first row, end row, nodes) for each element: its rows are consecutive and have the
+/// same nodes in the same order, so that products of entries can be added up before they are
+/// sorted.
+template<class Visit>
+void for_each_element(const BasisTable& table, Visit visit)
+{
+  for (int q = 0, last; q < table.rows(); q = last)
+  {
+    for (last = q + 1; last < table.rows() && table.element[last] == table.element[q];)
+      ++last;
+    visit(
+      q, last, std::span(table.node).subspan(table.start[q], table.start[q + 1] - table.start[q]));
+  }
+}
 
 class Basis
 {
@@ -39,10 +54,11 @@ public:
   virtual const Triangles& elements() const = 0;
   /// One row a point, in the order given.
   virtual BasisTable tabulate(std::span<const ParametricPoint> points) const = 0;
-  /// The triangle rule on every element, element by element; elements at extraordinary vertices, where the
-  /// parametrisation isn't smooth, are halved `graded` times towards them.
+  /// The triangle rule on every element, element by element; elements at extraordinary vertices,
+  /// where the parametrisation isn't smooth, are halved `graded` times towards them.
   std::vector<ParametricPoint> rule(std::span<const TrianglePoint> rule, int graded) const;
-  /// P: surface points at the mesh's vertices = P · control points. Velocities are collocated there.
+  /// P: surface points at the mesh's vertices = P · control points. Velocities are collocated
+  /// there.
   virtual SparseMatrix collocation() const = 0;
   /// Unit outward normals at the vertices: N by 3.
   virtual Points vertex_normals(const Points& control) const = 0;
@@ -72,7 +88,6 @@ private:
 };
 
 /// The triangle rule on every element.
-BasisTable tabulate_rule(
-  const Basis& basis, std::span<const TrianglePoint> rule, int graded = 0);
+BasisTable tabulate_rule(const Basis& basis, std::span<const TrianglePoint> rule, int graded = 0);
 
 }

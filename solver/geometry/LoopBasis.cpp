@@ -69,7 +69,8 @@ Jet evaluate(const Polynomial& polynomial, const std::array<int, 3>& order, cons
   double first[3] = {}, second[3][3] = {}, value = 0;
   for (const Monomial& m : polynomial)
   {
-    const auto term = [&](int drop_a, int drop_b) {
+    const auto term = [&](int drop_a, int drop_b)
+    {
       double factor = m.coefficient / 12;
       int p[3] = { m.power[0], m.power[1], m.power[2] };
       for (int d : { drop_a, drop_b })
@@ -109,8 +110,8 @@ double loop_vertex_weight(int n)
   return (5. / 8 - c * c) / n;
 }
 
-// A triangle with the one-rings of its corners: all that its limit surface depends on. The ring of corner
-// c starts with corners c + 1 and c + 2 and goes on counter-clockwise.
+// A triangle with the one-rings of its corners: all that its limit surface depends on. The ring of
+// corner c starts with corners c + 1 and c + 2 and goes on counter-clockwise.
 struct LoopBasis::Patch
 {
   std::array<Weights, 3> corner;
@@ -138,7 +139,8 @@ struct LoopBasis::Patch
 
   Patch corner_child(int c) const;
   Patch centre_child() const;
-  // Ring of the new point on the edge c, c + 1, counter-clockwise from the new point on edge c, c + 2.
+  // Ring of the new point on the edge c, c + 1, counter-clockwise from the new point on edge c, c
+  // + 2.
   std::vector<Weights> ring_of_edge(int c) const;
   // Adds each control point's jet at (u, v) to `jets`.
   void add_regular(double u, double v, std::vector<Jet>& jets) const;
@@ -177,7 +179,8 @@ LoopBasis::Patch LoopBasis::Patch::centre_child() const
   Patch child;
   child.nodes = nodes;
   child.corner = { odd(1, 0), odd(2, 0), odd(0, 0) };
-  // Around the point on edge c, c + 1: [on c–c+2, even c, …, even c+1, on c+1–c+2]; it starts with the last.
+  // Around the point on edge c, c + 1: [on c–c+2, even c, …, even c+1, on c+1–c+2]; it starts with
+  // the last.
   for (int c = 0; c < 3; ++c)
   {
     const std::vector<Weights> around = ring_of_edge(c);
@@ -190,7 +193,8 @@ LoopBasis::Patch LoopBasis::Patch::centre_child() const
 void LoopBasis::Patch::add_regular(double u, double v, std::vector<Jet>& jets) const
 {
   const double lambda[3] = { 1 - u - v, u, v };
-  const auto add = [&](const Weights& weights, const Polynomial& spline, int a, int b, int c) {
+  const auto add = [&](const Weights& weights, const Polynomial& spline, int a, int b, int c)
+  {
     const Jet jet = evaluate(spline, { a, b, c }, lambda);
     for (int i = 0; i < weights.size(); ++i)
       if (weights[i] != 0)
@@ -208,8 +212,7 @@ void LoopBasis::Patch::add_regular(double u, double v, std::vector<Jet>& jets) c
 }
 
 LoopBasis::LoopBasis(Triangles triangles, int nodes)
-  : triangles_(std::move(triangles))
-  , nodes_(nodes)
+  : triangles_(std::move(triangles)), nodes_(nodes)
 {
   // Around vertex i, triangle (i, j, k) says that k follows j.
   std::vector<std::map<int, int>> next(nodes);
@@ -244,7 +247,8 @@ LoopBasis::Patch LoopBasis::patch(int element) const
   Patch result;
   std::array<std::vector<int>, 3> rings;
   std::map<int, int> local;
-  const auto index = [&](int node) {
+  const auto index = [&](int node)
+  {
     const auto [it, inserted] = local.emplace(node, static_cast<int>(result.nodes.size()));
     if (inserted)
       result.nodes.push_back(node);
@@ -260,9 +264,8 @@ LoopBasis::Patch LoopBasis::patch(int element) const
     for (int node : rings[c])
       index(node);
   }
-  const auto unit = [&](int node) -> Weights {
-    return Weights::Unit(static_cast<Eigen::Index>(result.nodes.size()), local.at(node));
-  };
+  const auto unit = [&](int node) -> Weights
+  { return Weights::Unit(static_cast<Eigen::Index>(result.nodes.size()), local.at(node)); };
   for (int c = 0; c < 3; ++c)
   {
     result.corner[c] = unit(triangles_(element, c));

@@ -1,8 +1,8 @@
 #pragma once
-// Loop's subdivision surface as a basis: C² but for the extraordinary vertices (valence other than six),
-// where it is C¹ with square-integrable curvature. Loop (M.S. thesis, Utah 1987); exact evaluation after
-// Stam (SIGGRAPH '98 course notes, "Evaluation of Loop subdivision surfaces"), by recursion to a regular
-// leaf instead of eigenvectors.
+// Loop's subdivision surface as a basis: C² but for the extraordinary vertices (valence other than
+// six), where it is C¹ with square-integrable curvature. Loop (M.S. thesis, Utah 1987); exact
+// evaluation after Stam (SIGGRAPH '98 course notes, "Evaluation of Loop subdivision surfaces"), by
+// recursion to a regular leaf instead of eigenvectors.
 
 #include "solver/geometry/Basis.h"
 
@@ -17,8 +17,8 @@ public:
 
   int nodes() const override { return nodes_; }
   const Triangles& elements() const override { return triangles_; }
-  /// 12 entries a row on elements whose corners all have valence six; n₀ + n₁ + n₂ − 6 in general. Second
-  /// derivatives are included. Points must not be corners of extraordinary vertices.
+  /// 12 entries a row on elements whose corners all have valence six; n₀ + n₁ + n₂ − 6 in general.
+  /// Second derivatives are included. Points must not be corners of extraordinary vertices.
   BasisTable tabulate(std::span<const ParametricPoint> points) const override;
   SparseMatrix collocation() const override;
   Points vertex_normals(const Points& control) const override;
@@ -35,7 +35,8 @@ private:
   AdjacencyList ring_; ///< neighbours of each vertex, counter-clockwise
 };
 
-/// Weight of each neighbour in Loop's rule for an old vertex of valence n; the vertex itself keeps 1 − nβ.
+/// Weight of each neighbour in Loop's rule for an old vertex of valence n; the vertex itself keeps
+/// 1 − nβ.
 double loop_vertex_weight(int valence);
 
 }

@@ -19,6 +19,13 @@ void for_each_entry(const BasisTable& table, Visit visit)
       visit(q, k);
 }
 
+// The area's centroid: volumes are computed from there, so that a vesicle far from the origin loses
+// no digits, and, where the quadrature leaves a trace of ∮ n dS, the numbering has no say.
+Row3 reference_point(const SurfacePoints& s)
+{
+  return s.area_weight.transpose() * s.position / s.area_weight.sum();
+}
+
 // weight · |a_u × a_v| ∇_s N_k = weight · [∂N_k/∂u (a_v × n) + ∂N_k/∂v (n × a_u)]: the derivative
 // of the row's share of the area with respect to node k.
 struct ScaledGradient
@@ -59,8 +66,7 @@ SurfacePoints evaluate(const BasisTable& table, const Points& nodes)
   return s;
 }
 
-Eigen::VectorXd mean_curvature(
-  const BasisTable& table, const SurfacePoints& s, const Points& nodes)
+Eigen::VectorXd mean_curvature(const BasisTable& table, const SurfacePoints& s, const Points& nodes)
 {
   Eigen::VectorXd mean(table.rows());
   for (int q = 0; q < table.rows(); ++q)
@@ -89,8 +95,7 @@ double area(const SurfacePoints& surface)
 
 double volume(const BasisTable& table, const SurfacePoints& s)
 {
-  // From a point of the surface, so that a vesicle far from the origin loses no digits.
-  const Row3 origin = s.position.row(0);
+  const Row3 origin = reference_point(s);
   double sum = 0;
   for (int q = 0; q < table.rows(); ++q)
     sum += table.weight[q] * (s.position.row(q) - origin).dot(s.cross.row(q));
@@ -99,7 +104,7 @@ double volume(const BasisTable& table, const SurfacePoints& s)
 
 Vector3 centroid(const BasisTable& table, const SurfacePoints& s)
 {
-  const Row3 origin = s.position.row(0);
+  const Row3 origin = reference_point(s);
   Row3 moment = Row3::Zero();
   for (int q = 0; q < table.rows(); ++q)
     moment += table.weight[q] * (s.position.row(q) - origin).squaredNorm() * s.cross.row(q);
@@ -117,17 +122,25 @@ Eigen::VectorXd vertex_areas(const BasisTable& table, const SurfacePoints& s)
 SparseMatrix area_rate_matrix(const BasisTable& table, const SurfacePoints& s)
 {
   std::vector<Eigen::Triplet<double>> entries;
-  for (int q = 0; q < table.rows(); ++q)
-  {
-    const ScaledGradient gradient(table, s, q);
-    for (int k = table.start[q]; k < table.start[q + 1]; ++k)
-      for (int j = table.start[q]; j < table.start[q + 1]; ++j)
+  for_each_element(table,
+    [&](int begin, int end, std::span<const int> nodes)
+    {
+      const auto width = static_cast<Eigen::Index>(nodes.size());
+      Eigen::MatrixXd local = Eigen::MatrixXd::Zero(width, 3 * width);
+      for (int q = begin; q < end; ++q)
       {
-        const Row3 g = table.value[k] * gradient.of(table, j);
-        for (int c = 0; c < 3; ++c)
-          entries.emplace_back(table.node[k], 3 * table.node[j] + c, g[c]);
+        const ScaledGradient gradient(table, s, q);
+        for (Eigen::Index j = 0; j < width; ++j)
+        {
+          const Row3 g = gradient.of(table, table.start[q] + static_cast<int>(j));
+          for (Eigen::Index k = 0; k < width; ++k)
+            local.block<1, 3>(k, 3 * j) += table.value[table.start[q] + k] * g;
+        }
       }
-  }
+      for (Eigen::Index k = 0; k < width; ++k)
+        for (Eigen::Index j = 0; j < 3 * width; ++j)
+          entries.emplace_back(nodes[k], 3 * nodes[j / 3] + j % 3, local(k, j));
+    });
   SparseMatrix B(table.nodes, 3 * table.nodes);
   B.setFromTriplets(entries.begin(), entries.end());
   return B;
@@ -137,7 +150,7 @@ Eigen::VectorXd volume_gradient(const BasisTable& table, const SurfacePoints& s)
 {
   // V is cubic in the nodes; its exact derivative keeps the tangential parts that cancel only when
   // the quadrature is exact.
-  const Row3 origin = s.position.row(0);
+  const Row3 origin = reference_point(s);
   Points gradient = Points::Zero(table.nodes, 3);
   for_each_entry(table,
     [&](int q, int k)

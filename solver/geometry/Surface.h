@@ -27,7 +27,7 @@ Eigen::VectorXd mean_curvature(
   const BasisTable& table, const SurfacePoints& surface, const Points& nodes);
 
 double area(const SurfacePoints& surface);
-/// Enclosed volume, (1/3) ∮ x·n dS, with x taken from the first row's position.
+/// Enclosed volume, (1/3) ∮ x·n dS, with x taken from the area's centroid.
 double volume(const BasisTable& table, const SurfacePoints& surface);
 /// Centroid of the enclosed volume, (1/2V) ∮ |x|² n dS.
 Vector3 centroid(const BasisTable& table, const SurfacePoints& surface);

@@ -10,28 +10,27 @@ namespace
 
 using Row3 = Eigen::RowVector3d;
 
-// Σ_rows w_r a_j a_k for entry values a: the pattern of all products of a row's entries.
+// Σ_rows dS a_j a_k for entry values a.
 template<class Value>
 SparseMatrix gram_matrix(const BasisTable& table, const SurfacePoints& surface, Value value)
 {
-  // Rows of one element have the same nodes: their products are added up before they are sorted.
   std::vector<Eigen::Triplet<double>> entries;
-  for (int q = 0, last; q < table.rows(); q = last)
-  {
-    const int width = table.start[q + 1] - table.start[q];
-    Eigen::MatrixXd local = Eigen::MatrixXd::Zero(width, width);
-    for (last = q; last < table.rows() && table.element[last] == table.element[q]; ++last)
+  for_each_element(table,
+    [&](int begin, int end, std::span<const int> nodes)
     {
+      const auto width = static_cast<Eigen::Index>(nodes.size());
+      Eigen::MatrixXd local = Eigen::MatrixXd::Zero(width, width);
       Eigen::VectorXd a(width);
-      for (int k = 0; k < width; ++k)
-        a[k] = value(last, table.start[last] + k);
-      local += surface.area_weight[last] * a * a.transpose();
-    }
-    const int* node = table.node.data() + table.start[q];
-    for (int j = 0; j < width; ++j)
-      for (int k = 0; k < width; ++k)
-        entries.emplace_back(node[j], node[k], local(j, k));
-  }
+      for (int q = begin; q < end; ++q)
+      {
+        for (Eigen::Index k = 0; k < width; ++k)
+          a[k] = value(q, table.start[q] + static_cast<int>(k));
+        local.noalias() += surface.area_weight[q] * a * a.transpose();
+      }
+      for (Eigen::Index j = 0; j < width; ++j)
+        for (Eigen::Index k = 0; k < width; ++k)
+          entries.emplace_back(nodes[j], nodes[k], local(j, k));
+    });
   SparseMatrix gram(table.nodes, table.nodes);
   gram.setFromTriplets(entries.begin(), entries.end());
   return gram;
@@ -39,8 +38,7 @@ SparseMatrix gram_matrix(const BasisTable& table, const SurfacePoints& surface, 
 
 }
 
-RowCurvature row_curvature(
-  const BasisTable& table, const SurfacePoints& s, const Points& control)
+RowCurvature row_curvature(const BasisTable& table, const SurfacePoints& s, const Points& control)
 {
   RowCurvature c{ Eigen::VectorXd(table.rows()), Eigen::VectorXd(table.rows()),
     std::vector<double>(table.node.size()) };
@@ -92,9 +90,9 @@ Eigen::VectorXd bending_load(
 SparseMatrix bending_hessian(
   const BasisTable& table, const SurfacePoints& surface, const RowCurvature& c)
 {
-  return gram_matrix(table, surface, [&](int q, int k) {
-    return c.laplacian[k] + (4 * c.mean[q] * c.mean[q] - 2 * c.gauss[q]) * table.value[k];
-  });
+  return gram_matrix(table, surface,
+    [&](int q, int k)
+    { return c.laplacian[k] + (4 * c.mean[q] * c.mean[q] - 2 * c.gauss[q]) * table.value[k]; });
 }
 
 SparseMatrix bilaplacian(

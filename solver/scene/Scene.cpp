@@ -5,8 +5,7 @@ namespace vesicle
 
 Scene::Accuracy Scene::preset(Preset preset)
 {
-  Accuracy accuracy; // the members' defaults are those of "fast" and, until there are Loop
-                     // elements, "balanced"
+  Accuracy accuracy; // the members' defaults are those of "balanced"
   accuracy.preset = preset;
   switch (preset)
   {
@@ -14,8 +13,11 @@ Scene::Accuracy Scene::preset(Preset preset)
       accuracy.scheme = Scheme::paper;
       accuracy.integrator = Integrator::imex_euler;
       accuracy.mesh_motion = MeshMotion::material;
-      break;
+      [[fallthrough]];
     case Preset::fast:
+      accuracy.basis = Basis::linear;
+      accuracy.bending = bending_of(accuracy.basis);
+      break;
     case Preset::balanced:
       break;
     case Preset::accurate:
@@ -23,6 +25,11 @@ Scene::Accuracy Scene::preset(Preset preset)
       break;
   }
   return accuracy;
+}
+
+Scene::Bending Scene::bending_of(Basis basis)
+{
+  return basis == Basis::loop ? Bending::variational : Bending::cotan;
 }
 
 double Scene::preset_tolerance(Preset preset)

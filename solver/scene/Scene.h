@@ -127,8 +127,8 @@ struct Scene
   {
     Preset preset = Preset::balanced;
     Scheme scheme = Scheme::robust; ///< follows from the preset
-    Basis basis = Basis::linear;
-    Bending bending = Bending::cotan;
+    Basis basis = Basis::loop;
+    Bending bending = Bending::variational;
     Integrator integrator = Integrator::imex_midpoint;
     MeshMotion mesh_motion = MeshMotion::equidistribute;
     Operator stokes_operator = Operator::automatic; ///< key `operator`
@@ -138,6 +138,8 @@ struct Scene
   } accuracy;
   /// The settings that a preset stands for.
   static Accuracy preset(Preset preset);
+  /// The bending scheme that goes with a basis.
+  static Bending bending_of(Basis basis);
   /// The time.tolerance of a preset, for scenes that don't give one.
   static double preset_tolerance(Preset preset);
 

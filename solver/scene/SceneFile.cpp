@@ -344,6 +344,7 @@ void read_accuracy(const SceneDocument& document, Scene::Accuracy& accuracy)
   table.read("preset", accuracy.preset, preset_names);
   accuracy = Scene::preset(accuracy.preset);
   table.read("basis", accuracy.basis, basis_names);
+  accuracy.bending = Scene::bending_of(accuracy.basis);
   table.read("bending", accuracy.bending, bending_names);
   table.read("integrator", accuracy.integrator, integrator_names);
   table.read("mesh_motion", accuracy.mesh_motion, mesh_motion_names);
@@ -351,6 +352,15 @@ void read_accuracy(const SceneDocument& document, Scene::Accuracy& accuracy)
   table.read("quadrature", accuracy.quadrature, quadrature_points);
   table.read("linear_tolerance", accuracy.linear_tolerance, below_one);
   table.read("precision", accuracy.precision, precision_names);
+  if (accuracy.scheme == Scene::Scheme::paper && accuracy.basis != Scene::Basis::linear)
+  {
+    table.fail("basis", "the paper's scheme is one of linear elements", "\"linear\"");
+  }
+  if (accuracy.bending != Scene::bending_of(accuracy.basis))
+  {
+    table.fail("bending", "doesn't go with the basis",
+      "\"cotan\" with basis \"linear\", \"variational\" with \"loop\"");
+  }
 }
 
 void read_movie(const SceneDocument& document, Scene::Movie& movie)

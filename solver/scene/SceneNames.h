@@ -30,13 +30,13 @@ inline constexpr std::array preset_names{
 
 inline constexpr std::array basis_names{
   NamedChoice{ "linear", Scene::Basis::linear },
-  NamedChoice{ "loop", Scene::Basis::loop, false },
+  NamedChoice{ "loop", Scene::Basis::loop },
 };
 
 inline constexpr std::array bending_names{
   NamedChoice{ "cotan", Scene::Bending::cotan },
   NamedChoice{ "fit", Scene::Bending::fit, false },
-  NamedChoice{ "variational", Scene::Bending::variational, false },
+  NamedChoice{ "variational", Scene::Bending::variational },
 };
 
 inline constexpr std::array integrator_names{
@@ -58,7 +58,7 @@ inline constexpr std::array operator_names{
 
 inline constexpr std::array precision_names{
   NamedChoice{ "double", Scene::Precision::double_precision },
-  NamedChoice{ "single", Scene::Precision::single_precision },
+  NamedChoice{ "single", Scene::Precision::single_precision, false },
 };
 
 /// The scene's `kind` of a flow; "extension" has a `type` as well.

@@ -29,16 +29,15 @@ struct RowData
   RowVectors normal, dual_u, dual_v;
 
   RowData(const BasisTable& table, const Points& control)
-    : surface(evaluate(table, control))
-    , weight(kernel_factor * surface.area_weight)
+    : surface(evaluate(table, control)), weight(kernel_factor * surface.area_weight)
   {
   }
 
   StokesletSources sources(const BasisTable& table) const
   {
     return { surface.position.col(0).data(), surface.position.col(1).data(),
-      surface.position.col(2).data(), weight.data(), table.element.data(), table.start.data(), table.node.data(),
-      table.value.data() };
+      surface.position.col(2).data(), weight.data(), table.element.data(), table.start.data(),
+      table.node.data(), table.value.data() };
   }
 
   SurfaceSources surface_sources(const BasisTable& table, const Points& control)
@@ -97,64 +96,66 @@ SingleLayer::SingleLayer(const Basis& basis, const LayerQuadrature& quadrature)
   singular_ = basis.tabulate(points);
 }
 
-// For every group of targets: all rows of elements that don't touch a target, then the target's own Duffy
-// rows, added up by `kernel`; then write(first target, number of targets, sums).
+// For every group of targets: all rows of elements that don't touch a target, then the target's own
+// Duffy rows, added up by `kernel`; then write(first target, number of targets, sums).
 template<class Sources, class Kernel, class Write>
 void SingleLayer::for_each_block(const Points& vertices, const Sources& regular,
   const Sources& singular, Kernel kernel, Write write) const
 {
   const int n = static_cast<int>(vertices.rows()), blocks = (n + lanes - 1) / lanes;
-  tbb::parallel_for(0, blocks, [&](int block) {
-    const int first = block * lanes, count = std::min(lanes, n - first);
-    std::array<double, 3 * lanes> targets;
-    for (int lane = 0; lane < lanes; ++lane)
-      for (int c = 0; c < 3; ++c)
-        targets[c * lanes + lane] = vertices(first + std::min(lane, count - 1), c);
-
-    // Elements that touch one of the targets leave that target to its Duffy rows.
-    std::vector<int> touching;
-    for (int lane = 0; lane < count; ++lane)
-      touching.insert(touching.end(), vertex_elements_.begin(first + lane),
-        vertex_elements_.end(first + lane));
-    std::sort(touching.begin(), touching.end());
-    touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
-
-    thread_local Accumulator sum;
-    sum.assign(static_cast<std::size_t>(n) * stride, 0);
-    std::array<double, lanes> all;
-    all.fill(1);
-    int row = 0;
-    for (int e : touching)
+  tbb::parallel_for(0, blocks,
+    [&](int block)
     {
-      kernel(regular, row, first_row_[e], targets.data(), all.data(), sum.data());
-      std::array<double, lanes> mask = all;
+      const int first = block * lanes, count = std::min(lanes, n - first);
+      std::array<double, 3 * lanes> targets;
+      for (int lane = 0; lane < lanes; ++lane)
+        for (int c = 0; c < 3; ++c)
+          targets[c * lanes + lane] = vertices(first + std::min(lane, count - 1), c);
+
+      // Elements that touch one of the targets leave that target to its Duffy rows.
+      std::vector<int> touching;
       for (int lane = 0; lane < count; ++lane)
-        if (std::binary_search(
-              vertex_elements_.begin(first + lane), vertex_elements_.end(first + lane), e))
-          mask[lane] = 0;
-      row = first_row_[e + 1];
-      kernel(regular, first_row_[e], row, targets.data(), mask.data(), sum.data());
-    }
-    kernel(regular, row, first_row_.back(), targets.data(), all.data(), sum.data());
-    for (int lane = 0; lane < count; ++lane)
-    {
-      std::array<double, lanes> only{};
-      only[lane] = 1;
-      kernel(singular, singular_start_[first + lane], singular_start_[first + lane + 1],
-        targets.data(), only.data(), sum.data());
-    }
-    write(first, count, sum.data());
-  });
+        touching.insert(
+          touching.end(), vertex_elements_.begin(first + lane), vertex_elements_.end(first + lane));
+      std::sort(touching.begin(), touching.end());
+      touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
+
+      thread_local Accumulator sum;
+      sum.assign(static_cast<std::size_t>(n) * stride, 0);
+      std::array<double, lanes> all;
+      all.fill(1);
+      int row = 0;
+      for (int e : touching)
+      {
+        kernel(regular, row, first_row_[e], targets.data(), all.data(), sum.data());
+        std::array<double, lanes> mask = all;
+        for (int lane = 0; lane < count; ++lane)
+          if (std::binary_search(
+                vertex_elements_.begin(first + lane), vertex_elements_.end(first + lane), e))
+            mask[lane] = 0;
+        row = first_row_[e + 1];
+        kernel(regular, first_row_[e], row, targets.data(), mask.data(), sum.data());
+      }
+      kernel(regular, row, first_row_.back(), targets.data(), all.data(), sum.data());
+      for (int lane = 0; lane < count; ++lane)
+      {
+        std::array<double, lanes> only{};
+        only[lane] = 1;
+        kernel(singular, singular_start_[first + lane], singular_start_[first + lane + 1],
+          targets.data(), only.data(), sum.data());
+      }
+      write(first, count, sum.data());
+    });
 }
 
-void SingleLayer::assemble(
-  const Points& vertices, const Points& control, DenseMatrix& matrix) const
+void SingleLayer::assemble(const Points& vertices, const Points& control, DenseMatrix& matrix) const
 {
   const int n = static_cast<int>(vertices.rows());
   matrix.resize(3 * n, 3 * n);
   const RowData regular(regular_, control), singular(singular_, control);
   for_each_block(vertices, regular.sources(regular_), singular.sources(singular_), add_stokeslets,
-    [&](int first, int count, const double* sum) {
+    [&](int first, int count, const double* sum)
+    {
       // Component of each entry of the symmetric 3 by 3 block.
       static constexpr int component[3][3] = { { 0, 1, 2 }, { 1, 3, 4 }, { 2, 4, 5 } };
       for (int lane = 0; lane < count; ++lane)
@@ -176,7 +177,8 @@ void SingleLayer::respond(const Points& points, const Points& normal, bool with_
   response.load.resize(with_load ? 3 * n : 0);
   const RowData regular(regular_, points), singular(singular_, points);
   for_each_block(points, regular.sources(regular_), singular.sources(singular_), add_stokeslets,
-    [&](int first, int count, const double* sum) {
+    [&](int first, int count, const double* sum)
+    {
       thread_local Accumulator tension;
       tension.assign(with_tension ? static_cast<std::size_t>(n) * 3 * lanes : 0, 0);
       thread_local Accumulator along_normal;
@@ -186,11 +188,13 @@ void SingleLayer::respond(const Points& points, const Points& normal, bool with_
       {
         const double* s = sum + static_cast<long>(k) * stride;
         // to += S_ik d for all lanes i.
-        const auto add = [s](double* to, double x, double y, double z) {
+        const auto add = [s](double* to, double x, double y, double z)
+        {
           for (int lane = 0; lane < lanes; ++lane)
           {
             to[lane] += s[lane] * x + s[lanes + lane] * y + s[2 * lanes + lane] * z;
-            to[lanes + lane] += s[lanes + lane] * x + s[3 * lanes + lane] * y + s[4 * lanes + lane] * z;
+            to[lanes + lane] +=
+              s[lanes + lane] * x + s[3 * lanes + lane] * y + s[4 * lanes + lane] * z;
             to[2 * lanes + lane] +=
               s[2 * lanes + lane] * x + s[4 * lanes + lane] * y + s[5 * lanes + lane] * z;
           }
@@ -227,8 +231,9 @@ void SingleLayer::respond(const Points& points, const Points& normal, bool with_
     });
 }
 
-void SingleLayer::respond_on_surface(const Points& vertices, const Points& control, bool with_normal,
-  bool with_tension, const Eigen::VectorXd& load, VelocityResponse& response) const
+void SingleLayer::respond_on_surface(const Points& vertices, const Points& control,
+  bool with_normal, bool with_tension, const Eigen::VectorXd& load,
+  VelocityResponse& response) const
 {
   const int n = static_cast<int>(vertices.rows());
   const bool with_load = load.size() > 0;
@@ -238,7 +243,8 @@ void SingleLayer::respond_on_surface(const Points& vertices, const Points& contr
   RowData regular(regular_, control), singular(singular_, control);
   for_each_block(vertices, regular.surface_sources(regular_, control),
     singular.surface_sources(singular_, control), add_surface_densities,
-    [&](int first, int count, const double* sum) {
+    [&](int first, int count, const double* sum)
+    {
       std::vector<double> row(n);
       for (int lane = 0; lane < count; ++lane)
         for (int c = 0; c < 3; ++c)
@@ -275,10 +281,12 @@ void multiply(const DenseMatrix& A, const Eigen::VectorXd& x, Eigen::VectorXd& y
   const double *a = A.data(), *in = x.data();
   double* out = y.data();
   const long columns = A.cols();
-  tbb::parallel_for(tbb::blocked_range<long>(0, A.rows(), 64), [=](const auto& rows) {
-    for (long i = rows.begin(); i < rows.end(); ++i)
-      out[i] += dot(a + i * columns, in, columns);
-  });
+  tbb::parallel_for(tbb::blocked_range<long>(0, A.rows(), 64),
+    [=](const auto& rows)
+    {
+      for (long i = rows.begin(); i < rows.end(); ++i)
+        out[i] += dot(a + i * columns, in, columns);
+    });
 }
 
 }

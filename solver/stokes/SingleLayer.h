@@ -1,6 +1,7 @@
 #pragma once
-// The single layer of the Stokeslet, collocated at the vertices: u(x_i) = (1/8πμ) ∮ G(x_i, y) f(y) dS(y),
-// G = I/r + X Xᵀ/r³, paper (11)–(13) with μ = 1, as matrices from nodal unknowns of the force density f.
+// The single layer of the Stokeslet, collocated at the vertices: u(x_i) = (1/8πμ) ∮ G(x_i, y) f(y)
+// dS(y), G = I/r + X Xᵀ/r³, paper (11)–(13) with μ = 1, as matrices from nodal unknowns of the
+// force density f.
 
 #include "solver/geometry/Surface.h"
 
@@ -25,14 +26,15 @@ struct VelocityResponse
   Eigen::VectorXd velocity(const Eigen::VectorXd& phi, const Eigen::VectorXd& gamma) const;
 };
 
-/// Quadrature of the layer. Elements that don't touch the target use the basis's triangle rule; those that
-/// do use a Duffy rule around the corner, whose radial part is exact with one point on flat elements.
+/// Quadrature of the layer. Elements that don't touch the target use the basis's triangle rule;
+/// those that do use a Duffy rule around the corner, whose radial part is exact with one point on
+/// flat elements.
 struct LayerQuadrature
 {
-  int regular = 3;  ///< points a triangle: 1, 3, 6 or 12
-  int graded = 0;   ///< levels of refinement of elements towards extraordinary vertices
-  int radial = 1;   ///< Duffy points from the corner outwards
-  int angular = 4;  ///< Duffy points along the opposite edge
+  int regular = 3; ///< points a triangle: 1, 3, 6 or 12
+  int graded = 0;  ///< levels of refinement of elements towards extraordinary vertices
+  int radial = 1;  ///< Duffy points from the corner outwards
+  int angular = 4; ///< Duffy points along the opposite edge
 };
 
 class SingleLayer
@@ -42,19 +44,20 @@ public:
 
   const BasisTable& table() const { return regular_; }
 
-  /// The whole matrix for a nodal vector density f = Σ N_k f_k: 3N by 3N. `vertices` are the collocation
-  /// points, `control` the control points (the same for linear elements).
-  /// Threads share the rows, here and below; results do not depend on their number.
+  /// The whole matrix for a nodal vector density f = Σ N_k f_k: 3N by 3N. `vertices` are the
+  /// collocation points, `control` the control points (the same for linear elements). Threads share
+  /// the rows, here and below; results do not depend on their number.
   void assemble(const Points& vertices, const Points& control, DenseMatrix& matrix) const;
 
-  /// Response to f = Σ N_k (n_k φ_k + (T γ)_k) with nodal normals n and a sparse T (3N by N, or empty) that
-  /// gives the tension force's density; `load` is a nodal vector density (3N, or empty).
+  /// Response to f = Σ N_k (n_k φ_k + (T γ)_k) with nodal normals n and a sparse T (3N by N, or
+  /// empty) that gives the tension force's density; `load` is a nodal vector density (3N, or
+  /// empty).
   void respond(const Points& points, const Points& normal, bool with_normal, const SparseMatrix& T,
     const Eigen::VectorXd& load, VelocityResponse& response) const;
 
-  /// Response to f = Σ N_k φ_k n + Σ γ_k (∇_s N_k − 2 H N_k n) with the surface's own normal and mean
-  /// curvature: the tension force density itself, for bases with second derivatives. `load` is a nodal
-  /// normal density (N, or empty).
+  /// Response to f = Σ N_k φ_k n + Σ γ_k (∇_s N_k − 2 H N_k n) with the surface's own normal and
+  /// mean curvature: the tension force density itself, for bases with second derivatives. `load` is
+  /// a nodal normal density (N, or empty).
   void respond_on_surface(const Points& vertices, const Points& control, bool with_normal,
     bool with_tension, const Eigen::VectorXd& load, VelocityResponse& response) const;
 
@@ -64,10 +67,10 @@ private:
     Kernel kernel, Write write) const;
 
   BasisTable regular_;
-  BasisTable singular_;              ///< Duffy rows, grouped by vertex
-  std::vector<int> singular_start_;  ///< first Duffy row of each vertex
-  std::vector<int> first_row_;       ///< first regular row of each element
-  AdjacencyList vertex_elements_;    ///< elements around each vertex
+  BasisTable singular_;             ///< Duffy rows, grouped by vertex
+  std::vector<int> singular_start_; ///< first Duffy row of each vertex
+  std::vector<int> first_row_;      ///< first regular row of each element
+  AdjacencyList vertex_elements_;   ///< elements around each vertex
 };
 
 /// y = A x with A row-major; rows in parallel, each summed in a fixed order. Adds to y if `add`.

@@ -53,8 +53,8 @@ VESICLE_INLINE void evaluate(Pair& p, const StokesletSources& s, int q, const Ta
   p.dy = s.y[q] - t.y;
   p.dz = s.z[q] - t.z;
   const Lanes r2 = p.dx * p.dx + p.dy * p.dy + p.dz * p.dz;
-  // 1/√r² from a seed by its exponent (3% off); each Newton step squares the error, four reach double
-  // precision. Vector square roots and divisions are slower and don't vectorise portably.
+  // 1/√r² from a seed by its exponent (3% off); each Newton step squares the error, four reach
+  // double precision. Vector square roots and divisions are slower and don't vectorise portably.
   LaneBits bits;
   std::memcpy(&bits, &r2, sizeof bits);
   bits = 0x5fe6eb50c7b537a9LL - (bits >> 1);

@@ -4,8 +4,8 @@
 namespace vesicle
 {
 
-/// Targets are taken in groups, one a lane: then scattering a source point to the nodes it feels is a
-/// handful of vector operations, whatever the basis.
+/// Targets are taken in groups, one a lane: then scattering a source point to the nodes it feels is
+/// a handful of vector operations, whatever the basis.
 inline constexpr int stokeslet_lanes = 8;
 /// Numbers that each node accumulates for each lane.
 inline constexpr int stokeslet_components = 6;
@@ -19,23 +19,24 @@ struct StokesletSources
   const double* value;
 };
 
-/// For every entry (row, node k, N_k) of rows [begin, end), the components xx, xy, xz, yy, yz, zz of
-/// weight · N_k · G are added to sum[(6 k + component) · lanes + lane]. `targets` holds x, y, z of the
-/// lanes (3 · lanes); `mask` (lanes) multiplies the weight.
+/// For every entry (row, node k, N_k) of rows [begin, end), the components xx, xy, xz, yy, yz, zz
+/// of weight · N_k · G are added to sum[(6 k + component) · lanes + lane]. `targets` holds x, y, z
+/// of the lanes (3 · lanes); `mask` (lanes) multiplies the weight.
 void add_stokeslets(const StokesletSources& sources, int begin, int end, const double* targets,
   const double* mask, double* sum);
 
 /// Source points with the surface's geometry.
 struct SurfaceSources : StokesletSources
 {
-  const double *du, *dv;             ///< of every entry
-  const double *normal;              ///< of every row: n, 3 numbers, one component after the other
-  const double *dual_u, *dual_v;     ///< contravariant tangents a^u, a^v, stored like n
-  const double* twice_mean;          ///< 2 H of every row
+  const double *du, *dv;         ///< of every entry
+  const double* normal;          ///< of every row: n, 3 numbers, one component after the other
+  const double *dual_u, *dual_v; ///< contravariant tangents a^u, a^v, stored like n
+  const double* twice_mean;      ///< 2 H of every row
   int rows;
 };
 
-/// As above with, instead of G's components, the velocities of N_k n (3) and of ∇_s N_k − 2 H N_k n (3).
+/// As above with, instead of G's components, the velocities of N_k n (3) and of ∇_s N_k − 2 H N_k n
+/// (3).
 void add_surface_densities(const SurfaceSources& sources, int begin, int end, const double* targets,
   const double* mask, double* sum);
 

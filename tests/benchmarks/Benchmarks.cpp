@@ -4,9 +4,9 @@
 //   build/release/bin/vesicle_benchmarks --benchmark_filter=Step --benchmark_repetitions=5
 #include "solver/dynamics/Blas.h"
 #include "solver/dynamics/DenseFactorization.h"
+#include "solver/dynamics/Discretization.h"
 #include "solver/dynamics/Simulation.h"
 #include "solver/stokes/StokesletKernel.h"
-#include "solver/stokes/StokesletMatrix.h"
 
 #include <benchmark/benchmark.h>
 
@@ -24,12 +24,13 @@ void KernelRate(benchmark::State& state)
 {
   const int sources = 4096;
   std::vector<double> x(sources), y(sources), z(sources), weight(sources, 1), value(sources, 1);
-  std::vector<int> start(sources + 1), node(sources, 0);
+  std::vector<int> start(sources + 1), node(sources, 0), element(sources);
   std::iota(start.begin(), start.end(), 0);
+  std::iota(element.begin(), element.end(), 0);
   for (int i = 0; i < sources; ++i)
     x[i] = 2 + 0.001 * i, y[i] = 1 + 0.002 * i, z[i] = 3;
-  const StokesletSources s{ x.data(), y.data(), z.data(), weight.data(), start.data(), node.data(),
-    value.data() };
+  const StokesletSources s{ x.data(), y.data(), z.data(), weight.data(), element.data(),
+    start.data(), node.data(), value.data() };
   std::vector<double> targets(3 * stokeslet_lanes), mask(stokeslet_lanes, 1),
     sum(6 * stokeslet_lanes);
   std::iota(targets.begin(), targets.end(), -24.);
@@ -69,31 +70,58 @@ Scene pear(int triangles)
   return scene;
 }
 
-void Assembly(benchmark::State& state)
+// The velocities that bending, tension and gravity make, as matrices: the two bases beside each
+// other.
+void Assembly(benchmark::State& state, Scene::Basis basis)
 {
   const TriangleMesh mesh = make_start_mesh(pear(static_cast<int>(state.range(0))));
-  const LinearBasis basis(mesh.triangles, static_cast<int>(mesh.points.rows()));
-  const StokesletMatrix stokeslets(basis, 3);
-  const SurfacePoints surface = evaluate(stokeslets.table(), mesh.points);
-  DenseMatrix S;
+  Model model;
+  model.bending = true;
+  model.bond = 10;
+  const auto discretization =
+    (basis == Scene::Basis::loop ? make_loop_discretization : make_linear_discretization)(
+      model, mesh.triangles, static_cast<int>(mesh.points.rows()), 3);
+  const ShapeOperators shape = discretization->shape(mesh.points);
+  VelocityResponse response;
   for (auto _ : state)
-    stokeslets.assemble(mesh.points, surface, S);
-  state.counters["pairs/s"] =
-    benchmark::Counter(static_cast<double>(mesh.points.rows()) * stokeslets.table().rows(),
-      benchmark::Counter::kIsIterationInvariantRate);
+    discretization->respond(shape, response);
+  state.counters["pairs/s"] = benchmark::Counter(
+    3. * static_cast<double>(mesh.points.rows()) * static_cast<double>(mesh.triangles.rows()),
+    benchmark::Counter::kIsIterationInvariantRate);
 }
-BENCHMARK(Assembly)->Arg(1280)->Arg(5120)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(Assembly, linear, Scene::Basis::linear)
+  ->Arg(1280)
+  ->Arg(5120)
+  ->UseRealTime()
+  ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(Assembly, loop, Scene::Basis::loop)
+  ->Arg(1280)
+  ->Arg(5120)
+  ->UseRealTime()
+  ->Unit(benchmark::kMillisecond);
 
 // Accepted steps of a rising vesicle from its start, everything included.
-void Step(benchmark::State& state)
+void Step(benchmark::State& state, Scene::Preset preset)
 {
-  const Scene scene = pear(static_cast<int>(state.range(0)));
+  Scene scene = pear(static_cast<int>(state.range(0)));
+  scene.accuracy = Scene::preset(preset);
   const Simulation simulation(scene, make_start_mesh(scene));
   State current = simulation.start();
   for (auto _ : state)
     current = simulation.step(current);
 }
-BENCHMARK(Step)->Arg(320)->Arg(1280)->Arg(5120)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(Step, fast, Scene::Preset::fast)
+  ->Arg(320)
+  ->Arg(1280)
+  ->Arg(5120)
+  ->UseRealTime()
+  ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(Step, balanced, Scene::Preset::balanced)
+  ->Arg(320)
+  ->Arg(1280)
+  ->Arg(5120)
+  ->UseRealTime()
+  ->Unit(benchmark::kMillisecond);
 
 // What the scene doesn't name costs nothing: the same step without bending, and without tension.
 void StepWithoutBending(benchmark::State& state)

@@ -43,69 +43,132 @@ void expect_constraints_kept(const History& run)
   }
 }
 
-TEST(Pear, SpeedEnergyAndPowerBalance)
+// What gravity and flow put in is dissipated or stored.
+void expect_power_balance(const History& run, double tolerance)
 {
-  const History pear = run("pear");
+  double put_in = 0, dissipated = 0;
+  for (std::size_t i = 1; i < run.rows.size(); ++i)
+  {
+    const Diagnostics &a = run.rows[i - 1], &b = run.rows[i];
+    put_in += b.dt * (a.power_in + b.power_in) / 2;
+    dissipated += b.dt * (a.dissipation + b.dissipation) / 2;
+  }
+  const double stored = run.rows.back().bending_energy - run.rows.front().bending_energy;
+  EXPECT_NEAR(put_in, dissipated + stored, tolerance * put_in);
+}
+
+const std::string fast = "accuracy.preset=fast";
+
+// E* is known to be 1.114. The speed was 2.285 (± 0.3%) in an independent computation; this program
+// gives 2.299 with either basis at 1,280 triangles and, with Loop's, 2.296 at 320. Of the rest
+// shape's speed, known exactly, see RestShapeSettles.
+TEST(Pear, LinearElements)
+{
+  const History pear = run("pear", { fast });
   expect_constraints_kept(pear);
+  expect_power_balance(pear, 0.01);
   const Diagnostics& end = pear.rows.back();
   EXPECT_NEAR(end.velocity[2], 2.285, 0.02 * 2.285);
   EXPECT_NEAR(end.energy_over_8pi, 1.114, 0.02 * 1.114);
   EXPECT_LT(*end.tilt_deg, 0.1);
+}
 
-  double put_in = 0, dissipated = 0;
-  for (std::size_t i = 1; i < pear.rows.size(); ++i)
+TEST(Pear, LoopSurface)
+{
+  for (int triangles : { 320, 1280 })
   {
-    const Diagnostics &a = pear.rows[i - 1], &b = pear.rows[i];
-    put_in += b.dt * (a.power_in + b.power_in) / 2;
-    dissipated += b.dt * (a.dissipation + b.dissipation) / 2;
+    const History pear = run("pear", { "vesicle.triangles=" + std::to_string(triangles) });
+    expect_constraints_kept(pear);
+    expect_power_balance(pear, 0.01);
+    const Diagnostics& end = pear.rows.back();
+    EXPECT_NEAR(end.velocity[2], 2.285, 0.01 * 2.285) << triangles;
+    EXPECT_NEAR(end.energy_over_8pi, 1.114, 0.002 * 1.114) << triangles;
+    EXPECT_LT(*end.tilt_deg, 0.1);
   }
-  const double stored = end.bending_energy - pear.rows.front().bending_energy;
-  EXPECT_NEAR(put_in, dissipated + stored, 0.01 * put_in);
+}
+
+// A barely loaded vesicle settles at its rest shape's speed, (2/9) Bo/0.961853 at v = .95.
+TEST(Pear, RestShapeSettles)
+{
+  const double exact = 2. / 9 * 0.5 / 0.961853;
+  for (const auto& [preset, tolerance] : { std::pair("fast", 5e-3), std::pair("balanced", 2e-3) })
+  {
+    const History run = vesicle::run("pear",
+      { "vesicle.triangles=320", "gravity.bond_number=0.5", "time.end=3",
+        std::string("accuracy.preset=") + preset });
+    EXPECT_NEAR(run.rows.back().velocity[2], exact, tolerance * exact) << preset;
+  }
 }
 
 // The load's absolute height is a gauge.
 TEST(Pear, TheSameFarUp)
 {
-  const std::vector<std::string> small{ "vesicle.triangles=320", "time.end=1",
-    "time.output_every=0.5" };
-  std::vector<std::string> far = small;
-  far.push_back("vesicle.center=[0, 0, 1000]");
-  const History here = run("pear", small), there = run("pear", far);
-  const auto centred = [](const History& run) -> Points
-  { return run.last.points.rowwise() - run.last.points.colwise().mean(); };
-  EXPECT_LT((centred(here) - centred(there)).cwiseAbs().maxCoeff(), 1e-6);
+  for (const char* preset : { "accuracy.preset=fast", "accuracy.preset=balanced" })
+  {
+    const std::vector<std::string> small{ "vesicle.triangles=320", "time.end=1",
+      "time.output_every=0.5", preset };
+    std::vector<std::string> far = small;
+    far.push_back("vesicle.center=[0, 0, 1000]");
+    const History here = run("pear", small), there = run("pear", far);
+    const auto centred = [](const History& run) -> Points
+    { return run.last.points.rowwise() - run.last.points.colwise().mean(); };
+    EXPECT_LT((centred(here) - centred(there)).cwiseAbs().maxCoeff(), 1e-6) << preset;
+  }
 }
 
-// Coarse and strongly loaded: nodal loads with an absolute height blow up here.
+// Coarse and strongly loaded: nodal loads with an absolute height blow up here. It ends steady: the
+// shape no longer moves against its centroid.
 TEST(Pear, CoarseAndStronglyLoadedEndsSteady)
 {
-  const History run = vesicle::run("pear",
-    { "vesicle.triangles=320", "vesicle.reduced_volume=0.9", "gravity.bond_number=20", "time.end=6",
-      "time.output_every=1" });
-  expect_constraints_kept(run);
-  const Eigen::RowVector3d U(
-    run.rows.back().velocity[0], run.rows.back().velocity[1], run.rows.back().velocity[2]);
-  EXPECT_NEAR(U.z(), 4.515, 0.03 * 4.515); // 1,280 triangles
+  for (const char* preset : { "accuracy.preset=fast", "accuracy.preset=balanced" })
+  {
+    const History run = vesicle::run("pear",
+      { "vesicle.triangles=320", "vesicle.reduced_volume=0.9", "gravity.bond_number=20",
+        "time.end=6", "time.output_every=1", preset });
+    expect_constraints_kept(run);
+    const Diagnostics &end = run.rows.back(), &before = *(run.rows.end() - 2);
+    EXPECT_NEAR(end.velocity[2], 4.515, 0.03 * 4.515) << preset;
+    EXPECT_LT(*end.tilt_deg, 1) << preset;
+    for (int i = 0; i < 3; ++i)
+      EXPECT_LT(std::abs(end.semi_axes[i] - before.semi_axes[i]) / end.dt, 1e-2) << preset;
+  }
 }
 
-TEST(TankTreading, InclinationSteadyOverTwentyShearTimes)
+void expect_steady_after(const History& run, double time)
 {
-  const double reference = 32.424;
+  const Diagnostics& end = run.rows.back();
+  EXPECT_GT(end.min_angle_deg, 25);
+  for (const Diagnostics& d : run.rows)
+    if (d.time > time)
+    {
+      ASSERT_NEAR(*d.inclination_deg, *end.inclination_deg, 0.1) << d.time;
+    }
+}
+
+// Reference: 32.424° ± .003, frequency .44502, tension from 3.82 to 6.38.
+TEST(TankTreading, LinearElements)
+{
   for (const auto& [triangles, tolerance] : { std::pair(320, 1.5), std::pair(1280, 0.6) })
   {
     const History run =
-      vesicle::run("tank-treading", { "vesicle.triangles=" + std::to_string(triangles) });
+      vesicle::run("tank-treading", { fast, "vesicle.triangles=" + std::to_string(triangles) });
     expect_constraints_kept(run);
-    const Diagnostics& end = run.rows.back();
-    EXPECT_NEAR(*end.inclination_deg, reference, tolerance) << triangles;
-    EXPECT_NEAR(end.tank_treading_frequency, 0.44502, 0.005) << triangles;
-    EXPECT_GT(end.min_angle_deg, 25) << triangles;
-    for (const Diagnostics& d : run.rows)
-      if (d.time > 10)
-      {
-        ASSERT_NEAR(*d.inclination_deg, *end.inclination_deg, 0.1) << d.time;
-      }
+    expect_steady_after(run, 10);
+    EXPECT_NEAR(*run.rows.back().inclination_deg, 32.424, tolerance) << triangles;
+    EXPECT_NEAR(run.rows.back().tank_treading_frequency, 0.44502, 0.005) << triangles;
   }
+}
+
+TEST(TankTreading, LoopSurface)
+{
+  const History run = vesicle::run("tank-treading", { "vesicle.triangles=320" });
+  expect_constraints_kept(run);
+  expect_steady_after(run, 10);
+  const Diagnostics& end = run.rows.back();
+  EXPECT_NEAR(*end.inclination_deg, 32.424, 0.15);
+  EXPECT_NEAR(end.tank_treading_frequency, 0.44502, 0.005);
+  EXPECT_NEAR(end.tension_min, 3.82, 0.2);
+  EXPECT_NEAR(end.tension_max, 6.38, 0.2);
 }
 
 TEST(InextensibleDrop, ReachesThePapersAngleFromAnyStart)
@@ -114,31 +177,51 @@ TEST(InextensibleDrop, ReachesThePapersAngleFromAnyStart)
   {
     const double radians = start * M_PI / 180;
     const History run = vesicle::run("inextensible-drop",
-      { "vesicle.triangles=320", "time.end=8",
+      { fast, "vesicle.triangles=320", "time.end=8",
         "vesicle.axis=[" + std::to_string(std::cos(radians)) + ", 0.0, " +
           std::to_string(std::sin(radians)) + "]" });
     EXPECT_NEAR(*run.rows.back().inclination_deg, 33.2, 1.5) << start;
   }
 }
 
-TEST(RelaxProlate, EnergyOnlyFalls)
+void expect_falling_energy(const History& run)
 {
-  const History run = vesicle::run("relax-prolate");
-  expect_constraints_kept(run);
   for (std::size_t i = 1; i < run.rows.size(); ++i)
     ASSERT_LT(run.rows[i].bending_energy, (1 + 1e-6) * run.rows[i - 1].bending_energy)
       << run.rows[i].time;
+}
+
+// E* = 1.38744 (data/reference/equilibria.csv).
+TEST(RelaxProlate, LinearElements)
+{
+  const History run = vesicle::run("relax-prolate", { fast });
+  expect_constraints_kept(run);
+  expect_falling_energy(run);
   const Diagnostics& end = run.rows.back();
   EXPECT_NEAR(end.energy_over_8pi, 1.38744, 0.015 * 1.38744);
   EXPECT_NEAR(end.semi_axes[1] / end.semi_axes[2], 1, 0.03) << "axisymmetric";
 }
 
+TEST(RelaxProlate, LoopSurface)
+{
+  for (const auto& [triangles, tolerance] : { std::pair(320, 4e-3), std::pair(1280, 1e-3) })
+  {
+    const History run = vesicle::run(
+      "relax-prolate", { "time.end=4", "vesicle.triangles=" + std::to_string(triangles) });
+    expect_constraints_kept(run);
+    expect_falling_energy(run);
+    EXPECT_NEAR(run.rows.back().energy_over_8pi, 1.38744, tolerance * 1.38744) << triangles;
+  }
+}
+
 TEST(RigidSphere, RisesAtTwoNinths)
 {
-  const History run = vesicle::run("rigid-sphere");
-  const Diagnostics& end = run.rows.back();
-  const double bond = 1;
-  EXPECT_NEAR(end.velocity[2], 2. / 9 * bond, 0.01 * 2. / 9 * bond);
+  for (const auto& [preset, tolerance] :
+    { std::pair("accuracy.preset=fast", 1e-2), std::pair("accuracy.preset=balanced", 1e-3) })
+  {
+    const History run = vesicle::run("rigid-sphere", { preset });
+    EXPECT_NEAR(run.rows.back().velocity[2], 2. / 9, tolerance * 2. / 9) << preset;
+  }
 }
 
 // What the projection removes in all falls as dt² (a time error of third order a step).
@@ -148,30 +231,32 @@ TEST(Corrections, FallWithTheTimeStep)
   for (int i = 0; i < 2; ++i)
   {
     const History run = vesicle::run("tank-treading",
-      { "vesicle.triangles=320", "time.end=1", "time.output_every=0.5",
+      { fast, "vesicle.triangles=320", "time.end=1", "time.output_every=0.5",
         i == 0 ? "time.step=0.025" : "time.step=0.0125" });
     removed[i] = run.rows.back().volume_correction;
   }
   EXPECT_NEAR(std::log2(removed[0] / removed[1]), 2, 0.2) << removed[0] << ", " << removed[1];
 }
 
-// Second order in time where bending is stiff: the tail of the run, three step sizes. (The first
-// steps, in which modes on the scale of the mesh die out, are slower than second order.)
+// Second order in time where bending is stiff: three step sizes compared at the same time.
 TEST(Integrator, IsOfSecondOrder)
 {
-  Points shape[4];
-  for (int i = 0; i < 4; ++i)
+  for (const char* preset : { "accuracy.preset=fast", "accuracy.preset=balanced" })
   {
-    const double dt = 0.02 / (1 << i);
-    shape[i] = vesicle::run("pear",
-      { "vesicle.triangles=320", "vesicle.reduced_volume=0.9", "gravity.bond_number=20",
-        "time.end=0.4", "time.output_every=0.4", "time.step=" + std::to_string(dt) })
-                 .last.points;
+    Points shape[4];
+    for (int i = 0; i < 4; ++i)
+    {
+      const double dt = 0.02 / (1 << i);
+      shape[i] = vesicle::run("pear",
+        { preset, "vesicle.triangles=320", "vesicle.reduced_volume=0.9", "gravity.bond_number=20",
+          "time.end=0.4", "time.output_every=0.4", "time.step=" + std::to_string(dt) })
+                   .last.points;
+    }
+    const double e0 = (shape[0] - shape[1]).norm(), e1 = (shape[1] - shape[2]).norm(),
+                 e2 = (shape[2] - shape[3]).norm();
+    EXPECT_NEAR(std::log2(e0 / e1), 2, 0.3) << preset << ": " << e0 << ", " << e1;
+    EXPECT_NEAR(std::log2(e1 / e2), 2, 0.3) << preset << ": " << e1 << ", " << e2;
   }
-  const double e0 = (shape[0] - shape[1]).norm(), e1 = (shape[1] - shape[2]).norm(),
-               e2 = (shape[2] - shape[3]).norm();
-  EXPECT_NEAR(std::log2(e0 / e1), 2, 0.3) << e0 << ", " << e1;
-  EXPECT_NEAR(std::log2(e1 / e2), 2, 0.3) << e1 << ", " << e2;
 }
 
 }

@@ -256,14 +256,16 @@ const std::vector<Case> cases{
     { "s.toml:4: key 'accuracy.preset': can't be \"balance\", did you mean \"balanced\"?; "
       "allowed: "
       "\"paper\", \"fast\", \"balanced\", \"accurate\"" } },
-  { "basis_loop", with_sphere("[accuracy]\nbasis = \"loop\""),
-    { "s.toml:4: key 'accuracy.basis': \"loop\" is not available in this version; allowed: "
+  { "basis_of_the_paper", with_sphere("[accuracy]\npreset = \"paper\"\nbasis = \"loop\""),
+    { "s.toml:5: key 'accuracy.basis': the paper's scheme is one of linear elements; allowed: "
       "\"linear\"" } },
   { "bending_fit", with_sphere("[accuracy]\nbending = \"fit\""),
     { "s.toml:4: key 'accuracy.bending': \"fit\" is not available in this version; allowed: "
-      "\"cotan\"" } },
-  { "bending_variational", with_sphere("[accuracy]\nbending = \"variational\""),
-    { "\"variational\" is not available in this version; allowed: \"cotan\"" } },
+      "\"cotan\", \"variational\"" } },
+  { "bending_against_basis", with_sphere("[accuracy]\nbending = \"cotan\""),
+    { "s.toml:4: key 'accuracy.bending': doesn't go with the basis" } },
+  { "precision_single", with_sphere("[accuracy]\nprecision = \"single\""),
+    { "\"single\" is not available in this version; allowed: \"double\"" } },
   { "operator_tree", with_sphere("[accuracy]\noperator = \"tree\""),
     { "s.toml:4: key 'accuracy.operator': \"tree\" is not available in this version; allowed: "
       "\"auto\", "
@@ -275,8 +277,7 @@ const std::vector<Case> cases{
   { "linear_tolerance", with_sphere("[accuracy]\nlinear_tolerance = 1"),
     { "s.toml:4: key 'accuracy.linear_tolerance': can't be 1; allowed: a number > 0 and < 1" } },
   { "precision", with_sphere("[accuracy]\nprecision = \"half\""),
-    { "s.toml:4: key 'accuracy.precision': can't be \"half\"",
-      "allowed: \"double\", \"single\"" } },
+    { "s.toml:4: key 'accuracy.precision': can't be \"half\"", "allowed: \"double\"" } },
   { "scheme_is_no_key", with_sphere("[accuracy]\nscheme = \"paper\""),
     { "s.toml:4: key 'accuracy.scheme': unknown key" } },
 

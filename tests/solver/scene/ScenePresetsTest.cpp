@@ -17,15 +17,27 @@ Scene scene_with(const std::string& tables)
 
 }
 
-TEST(ScenePresets, DefaultIsBalancedWhichIsFastForNow)
+TEST(ScenePresets, DefaultIsBalancedWhichIsLoop)
 {
   const auto standard = scene_with("").accuracy;
-  const auto fast = Scene::preset(Scene::Preset::fast);
   EXPECT_EQ(standard.preset, Scene::Preset::balanced);
-  EXPECT_EQ(standard.scheme, fast.scheme);
-  EXPECT_EQ(standard.integrator, fast.integrator);
-  EXPECT_EQ(standard.mesh_motion, fast.mesh_motion);
-  EXPECT_EQ(standard.quadrature, fast.quadrature);
+  EXPECT_EQ(standard.basis, Scene::Basis::loop);
+  EXPECT_EQ(standard.bending, Scene::Bending::variational);
+  EXPECT_EQ(standard.scheme, Scene::Scheme::robust);
+  EXPECT_EQ(standard.quadrature, 3);
+}
+
+TEST(ScenePresets, FastIsLinearElements)
+{
+  const auto fast = scene_with("accuracy.preset = \"fast\"").accuracy;
+  EXPECT_EQ(fast.basis, Scene::Basis::linear);
+  EXPECT_EQ(fast.bending, Scene::Bending::cotan);
+  EXPECT_EQ(fast.scheme, Scene::Scheme::robust);
+}
+
+TEST(ScenePresets, BendingFollowsTheBasis)
+{
+  EXPECT_EQ(scene_with("accuracy.basis = \"linear\"").accuracy.bending, Scene::Bending::cotan);
 }
 
 TEST(ScenePresets, Paper)
@@ -50,12 +62,11 @@ TEST(ScenePresets, KnobsOverrideThePreset)
 {
   const auto accuracy =
     scene_with("accuracy.quadrature = 12\naccuracy.preset = \"paper\"\naccuracy.integrator = "
-               "\"imex-midpoint\"\naccuracy.operator = \"dense\"\naccuracy.precision = \"single\"")
+               "\"imex-midpoint\"\naccuracy.operator = \"dense\"")
       .accuracy;
   EXPECT_EQ(accuracy.preset, Scene::Preset::paper);
   EXPECT_EQ(accuracy.quadrature, 12);
   EXPECT_EQ(accuracy.integrator, Scene::Integrator::imex_midpoint);
   EXPECT_EQ(accuracy.mesh_motion, Scene::MeshMotion::material);
   EXPECT_EQ(accuracy.stokes_operator, Scene::Operator::dense);
-  EXPECT_EQ(accuracy.precision, Scene::Precision::single_precision);
 }

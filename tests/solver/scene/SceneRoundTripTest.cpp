@@ -211,7 +211,7 @@ TEST(SceneRoundTrip, EverySetting)
     operator = "dense"
     quadrature = 12
     linear_tolerance = 1e-8
-    precision = "single"
+    precision = "double"
     [movie]
     color = "Tension"
     range = [-1, 2.5]

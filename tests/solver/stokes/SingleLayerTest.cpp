@@ -1,4 +1,4 @@
-#include "solver/stokes/StokesletMatrix.h"
+#include "solver/stokes/SingleLayer.h"
 #include "tests/solver/support/TestMeshes.h"
 
 #include <Eigen/LU>
@@ -23,10 +23,9 @@ struct Case
   explicit Case(TriangleMesh m, int quadrature = 3) : mesh(std::move(m))
   {
     const LinearBasis basis(mesh.triangles, static_cast<int>(mesh.points.rows()));
-    const StokesletMatrix stokeslets(basis, quadrature);
-    const SurfacePoints surface = evaluate(stokeslets.table(), mesh.points);
-    stokeslets.assemble(mesh.points, surface, S);
-    areas = vertex_areas(stokeslets.table(), surface);
+    const SingleLayer layer(basis, { quadrature });
+    layer.assemble(mesh.points, mesh.points, S);
+    areas = vertex_areas(layer.table(), evaluate(layer.table(), mesh.points));
   }
   Eigen::VectorXd nodal(const Field& field) const
   {
@@ -75,7 +74,7 @@ const Mode modes[] = {
   { "W, l = 2", gradient_p2, 3. / 15 },
 };
 
-TEST(StokesletMatrix, SphereEigenvaluesWithOrderTwo)
+TEST(SingleLayer, SphereEigenvaluesWithOrderTwo)
 {
   const Case coarse(geodesic_sphere(4)), fine(geodesic_sphere(8));
   for (const Mode& mode : modes)
@@ -87,7 +86,7 @@ TEST(StokesletMatrix, SphereEigenvaluesWithOrderTwo)
   }
 }
 
-TEST(StokesletMatrix, SphereEigenvaluesOnAnIrregularMesh)
+TEST(SingleLayer, SphereEigenvaluesOnAnIrregularMesh)
 {
   const Case coarse(jittered_sphere(4, 0.25)), fine(jittered_sphere(8, 0.25));
   for (const Mode& mode : modes)
@@ -98,7 +97,7 @@ TEST(StokesletMatrix, SphereEigenvaluesOnAnIrregularMesh)
   }
 }
 
-TEST(StokesletMatrix, PressureMovesNothing)
+TEST(SingleLayer, PressureMovesNothing)
 {
   double speed[2];
   for (int level = 0; level < 2; ++level)
@@ -114,7 +113,7 @@ TEST(StokesletMatrix, PressureMovesNothing)
 
 // Drag of the ellipsoid 2, 1, 1 translating at unit speed: ∮ f dS with S f = e (Happel & Brenner
 // 5-11).
-TEST(StokesletMatrix, DragOfAnEllipsoid)
+TEST(SingleLayer, DragOfAnEllipsoid)
 {
   const double exact[] = { 22.693753013, 25.991634884 };
   double error[2][2];
@@ -140,7 +139,33 @@ TEST(StokesletMatrix, DragOfAnEllipsoid)
   }
 }
 
-TEST(StokesletMatrix, DoesNotChangeWithRenumbering)
+// The matrices of the dynamics are combinations of the whole one.
+TEST(SingleLayer, ResponsesAreThoseOfTheWholeMatrix)
+{
+  const TriangleMesh mesh = mapped(jittered_sphere(4, 0.2), test::paper_surface);
+  const int n = static_cast<int>(mesh.points.rows());
+  const LinearBasis basis(mesh.triangles, n);
+  const SingleLayer layer(basis, {});
+  const SurfacePoints surface = evaluate(layer.table(), mesh.points);
+  DenseMatrix S;
+  layer.assemble(mesh.points, mesh.points, S);
+  const Points normal = basis.vertex_normals(mesh.points);
+  const SparseMatrix T = area_rate_matrix(layer.table(), surface).transpose();
+  const Eigen::VectorXd load = Eigen::VectorXd::LinSpaced(3 * n, -1, 1);
+  VelocityResponse response;
+  layer.respond(mesh.points, normal, true, T, load, response);
+
+  const Eigen::VectorXd phi = Eigen::VectorXd::LinSpaced(n, 0, 1).array().cos();
+  const Eigen::VectorXd gamma = Eigen::VectorXd::LinSpaced(n, 0, 2).array().sin();
+  Eigen::VectorXd density = T * gamma;
+  for (int i = 0; i < n; ++i)
+    density.segment<3>(3 * i) += phi[i] * normal.row(i).transpose();
+  const Eigen::VectorXd u = S * density;
+  EXPECT_LT((response.velocity(phi, gamma) - u).norm(), 1e-13 * u.norm());
+  EXPECT_LT((response.load - S * load).norm(), 1e-13 * (S * load).norm());
+}
+
+TEST(SingleLayer, DoesNotChangeWithRenumbering)
 {
   const TriangleMesh mesh = mapped(jittered_sphere(3, 0.2), test::paper_surface);
   const auto [other, order] = test::renumbered(mesh);

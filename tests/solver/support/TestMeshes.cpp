@@ -19,6 +19,15 @@ TriangleMesh mapped(TriangleMesh mesh, const Map& map)
   return mesh;
 }
 
+TriangleMesh smooth_sphere(int triangles)
+{
+  ShapeRequest request;
+  request.triangles = triangles;
+  TriangleMesh mesh = make_shape(request);
+  mesh.points.rowwise().normalize();
+  return mesh;
+}
+
 TriangleMesh jittered_sphere(int n, double fraction)
 {
   TriangleMesh mesh = geodesic_sphere(n);

@@ -17,6 +17,9 @@ using Map = std::function<Vector3(const Vector3&)>;
 /// Every point moved by `map`.
 TriangleMesh mapped(TriangleMesh mesh, const Map& map);
 
+/// A unit sphere with about that many triangles, smooth enough for Loop's surface.
+TriangleMesh smooth_sphere(int triangles);
+
 /// A geodesic sphere with its points shifted along the sphere by up to `fraction` of the mean edge,
 /// by a fixed pseudo-random sequence: triangles of all sizes and angles.
 TriangleMesh jittered_sphere(int n, double fraction);
