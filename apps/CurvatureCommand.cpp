@@ -27,7 +27,7 @@ struct CurvatureOptions
 {
   std::string mesh;
   std::string output;
-  std::string scheme = "cotan";
+  std::string scheme = "fit";
   double rigidity = 1;
 };
 
@@ -93,7 +93,7 @@ void add_curvature_command(CLI::App& app, Action& action)
     ->add_option("-o,--output", options->output, "File to write; .vtu, .vtp and .vtk hold arrays")
     ->required();
   command->add_option("--scheme", options->scheme, "How curvatures are found")
-    ->check(CLI::IsMember({ "cotan" }))
+    ->check(CLI::IsMember({ "fit", "cotan", "loop" }))
     ->capture_default_str();
   command->add_option("--bending-rigidity", options->rigidity, "EB, multiplies the force")
     ->check(CLI::NonNegativeNumber)

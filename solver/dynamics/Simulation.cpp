@@ -91,13 +91,16 @@ struct Simulation::Impl
   StepperSettings settings;
   Stepper stepper;
 
-  Impl(const Scene& s, TriangleMesh mesh)
+  Impl(const Scene& s, TriangleMesh mesh, const std::string& start_notes)
     : scene(s), notes(prepare_for_dynamics(mesh,
                   s.vesicle.mesh_file ? s.vesicle.mesh_file->string() : std::string("start mesh"))),
       start_mesh(std::move(mesh)), scales(make_scales(s, start_mesh)), model(make_model(s, scales)),
       settings(make_settings(s)),
       stepper(model, start_mesh.triangles, static_cast<int>(start_mesh.points.rows()), settings)
   {
+    for (const std::string& note : { start_notes, check_smoothness(scene, start_mesh) })
+      if (!note.empty())
+        notes = notes.empty() ? note : note + "\n" + notes;
   }
 
   double rate() const
@@ -151,8 +154,8 @@ bool Simulation::Impl::steady(const State& state) const
   return speed < steady_speed * rate();
 }
 
-Simulation::Simulation(const Scene& scene, TriangleMesh start)
-  : impl_(std::make_unique<Impl>(scene, std::move(start)))
+Simulation::Simulation(const Scene& scene, TriangleMesh start, const std::string& notes)
+  : impl_(std::make_unique<Impl>(scene, std::move(start), notes))
 {
 }
 

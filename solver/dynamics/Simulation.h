@@ -18,13 +18,15 @@ class Simulation
 public:
   /// `start` is the start mesh in the scene's units, oriented outward (make_start_mesh gives it for
   /// scenes with a shape; scenes with a mesh file have it read by a reader). Throws InputError.
-  Simulation(const Scene& scene, TriangleMesh start);
+  /// `notes` (how the mesh was made, say) come before the simulation's own.
+  Simulation(const Scene& scene, TriangleMesh start, const std::string& notes = {});
   ~Simulation();
 
   const Scene& scene() const;
   const Scales& scales() const;
   const Triangles& triangles() const;
-  /// What the preparation of the mesh changed, for the user; empty if nothing.
+  /// What was changed in the start mesh and what is to be said of it, for the user; empty if
+  /// nothing.
   const std::string& notes() const;
 
   /// The start: time 0, velocity and tension solved for the start shape.
@@ -63,7 +65,12 @@ SurfaceMeasures surface_measures(const Scene& scene, const TriangleMesh& mesh);
 
 /// The start mesh of a scene with a shape, in the scene's units, placed and oriented.
 TriangleMesh make_start_mesh(const Scene& scene);
-/// Places a mesh that was read from the scene's mesh_file: radius, rotation. Throws InputError.
-TriangleMesh place_start_mesh(const Scene& scene, TriangleMesh mesh);
+/// Places a mesh that was read from the scene's mesh_file: resampled if the scene asks for a number
+/// of triangles, scaled to the radius, rotated about its centroid. `notes` tells what was changed.
+/// Throws InputError.
+TriangleMesh place_start_mesh(const Scene& scene, TriangleMesh mesh, std::string& notes);
+
+/// A warning if the mesh is too rough for the scene's basis; empty if it isn't.
+std::string check_smoothness(const Scene& scene, const TriangleMesh& mesh);
 
 }

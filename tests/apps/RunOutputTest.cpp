@@ -25,7 +25,7 @@ protected:
   {
     folder = new TemporaryFolder;
     write_scene_file(folder->path());
-    outcome = vesicle_command(folder->path(), { "run", "pear.toml", "--threads", "1" });
+    outcome = vesicle_command(folder->path(), { "run", "pear.toml", "--threads", "1", "--set", "accuracy.preset=fast" });
   }
   static void TearDownTestSuite() { delete folder; }
   void SetUp() override { ASSERT_EQ(outcome.code, 0) << outcome.errors; }

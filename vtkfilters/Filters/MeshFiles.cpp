@@ -180,8 +180,8 @@ void write_xml(vtkDataObject* data, const path& file)
 {
   vtkNew<Writer> writer;
   writer->SetHeaderTypeToUInt64();
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
+  // Inline: meshio misreads some raw appended files, depending on how their arrays compress.
+  writer->SetDataModeToBinary();
   write_with(writer.Get(), data, file);
 }
 

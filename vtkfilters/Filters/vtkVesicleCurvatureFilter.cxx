@@ -3,7 +3,9 @@
 #include "MeshConversion.h"
 
 #include "solver/Errors.h"
+#include "solver/dynamics/Discretization.h"
 #include "solver/geometry/Cotan.h"
+#include "solver/geometry/FittedCurvature.h"
 #include "solver/membrane/Bending.h"
 
 #include "vtkDoubleArray.h"
@@ -90,13 +92,41 @@ vtkSmartPointer<vtkUnsignedCharArray> to_array(const char* name, const Mask& mas
   return array;
 }
 
+constexpr const char* scheme_names[] = { "fit", "cotan", "loop" };
+
+vesicle::Curvature loop_curvature(const TriangleMesh& mesh)
+{
+  vesicle::Model model;
+  const auto surface = vesicle::make_loop_discretization(
+    model, mesh.triangles, static_cast<int>(mesh.points.rows()), 3);
+  return surface->shape(mesh.points).curvature;
+}
+
+/// By the scheme's name; the fit adds its own arrays.
+vesicle::Curvature curvature_of(const TriangleMesh& mesh, int scheme, vtkPointData* arrays)
+{
+  switch (scheme)
+  {
+    case vtkVesicleCurvatureFilter::Cotan:
+      return vesicle::cotan_curvature(vesicle::CotanGeometry(mesh.points, mesh.triangles),
+        mesh.points, vesicle::NormalScheme::area_weighted);
+    case vtkVesicleCurvatureFilter::Loop:
+      return loop_curvature(mesh);
+    default:
+    {
+      auto fit = vesicle::fitted_curvature(mesh);
+      arrays->AddArray(vesicle::to_array("Fit_Residual", fit.residual));
+      arrays->AddArray(vesicle::to_array("Fit_Degree", Eigen::VectorXd(fit.degree.cast<double>())));
+      return std::move(fit.curvature);
+    }
+  }
+}
+
 /// The mesh may have neither points nor triangles.
-void add_curvatures(const TriangleMesh& mesh, double rigidity, vtkPointData* arrays)
+void add_curvatures(const TriangleMesh& mesh, int scheme, double rigidity, vtkPointData* arrays)
 {
   const vesicle::Connectivity connectivity(mesh.triangles, static_cast<int>(mesh.points.rows()));
-  const vesicle::CotanGeometry geometry(mesh.points, mesh.triangles);
-  auto curvature =
-    vesicle::cotan_curvature(geometry, mesh.points, vesicle::NormalScheme::area_weighted);
+  auto curvature = curvature_of(mesh, scheme, arrays);
   Mask valid = inner_vertices(mesh, connectivity);
   drop_invalid(curvature.mean, valid);
   drop_invalid(curvature.gauss, valid);
@@ -132,17 +162,20 @@ vtkStandardNewMacro(vtkVesicleCurvatureFilter);
 
 void vtkVesicleCurvatureFilter::SetSchemeByName(const char* name)
 {
-  if (name && std::string(name) == "cotan")
+  for (int scheme = Fit; scheme <= Loop; ++scheme)
   {
-    this->SetScheme(Cotan);
-    return;
+    if (name && std::string(name) == scheme_names[scheme])
+    {
+      this->SetScheme(scheme);
+      return;
+    }
   }
-  vtkErrorMacro(<< "unknown scheme '" << (name ? name : "") << "'; there is: cotan");
+  vtkErrorMacro(<< "unknown scheme '" << (name ? name : "") << "'; there are: fit, cotan, loop");
 }
 
 const char* vtkVesicleCurvatureFilter::GetSchemeName()
 {
-  return "cotan";
+  return scheme_names[this->Scheme];
 }
 
 int vtkVesicleCurvatureFilter::RequestData(
@@ -177,7 +210,7 @@ int vtkVesicleCurvatureFilter::RequestData(
       flip(mesh.triangles);
     }
     use_double_points(output, mesh);
-    add_curvatures(mesh, this->BendingRigidity, output->GetPointData());
+    add_curvatures(mesh, this->Scheme, this->BendingRigidity, output->GetPointData());
     return 1;
   }
   catch (const std::exception& error)

@@ -23,7 +23,16 @@
  * its triangles are left as they are. On an inconsistently oriented mesh the signs mean little, and
  * the filter warns (vtkPolyDataNormals with ConsistencyOn mends it).
  *
- * Algorithm, scheme Cotan: with the cotangent Laplacian L over the barycentric areas A_i,
+ * Algorithm, scheme Fit (default): a quartic height function through each vertex and its neighbours
+ * of two rings gives H, K and n; a second one of the fitted H gives Δ_s H. It converges on
+ * irregular meshes too. Two more arrays: Fit_Residual (weighted RMS distance of the neighbours from
+ * the fit, in edges) and Fit_Degree (4; lower where the neighbourhood is too small).
+ *
+ * Scheme Loop: the Loop limit surface through the vertices of a closed mesh, as the dynamics use
+ * it; for meshes with smoothly spaced points.
+ *
+ * Scheme Cotan (the paper's; H doesn't converge at vertices of valence other than six, nor Δ_s H on
+ * irregular meshes): with the cotangent Laplacian L over the barycentric areas A_i,
  * (L f)_i = Σ_j (cot α_ij + cot β_ij)(f_j − f_i)/(2 A_i), H = −½ (L x)·n, K = (2π − Σ θ)/A_i from
  * the angles θ around the vertex, Δ_s H = L H, and n the area-weighted mean of the triangles'
  * normals.
@@ -48,15 +57,16 @@ public:
 
   enum Schemes
   {
-    Cotan
+    Fit,
+    Cotan,
+    Loop
   };
 
   ///@{
   /**
-   * How curvatures are found, one of Schemes or its name in lower case. Default: Cotan, the only
-   * one so far.
+   * How curvatures are found, one of Schemes or its name in lower case. Default: Fit.
    */
-  vtkSetClampMacro(Scheme, int, Cotan, Cotan);
+  vtkSetClampMacro(Scheme, int, Fit, Loop);
   vtkGetMacro(Scheme, int);
   void SetSchemeByName(const char* name);
   const char* GetSchemeName();
@@ -84,7 +94,7 @@ protected:
   ~vtkVesicleCurvatureFilter() override = default;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  int Scheme = Cotan;
+  int Scheme = Fit;
   double BendingRigidity = 1;
   bool OrientOutward = true;
 

@@ -86,6 +86,8 @@ int vtkVesicleSource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   vesicle::Scene scene;
+  // The mesh itself, its flat triangles, has the volumes asked for.
+  scene.accuracy = vesicle::Scene::preset(vesicle::Scene::Preset::fast);
   auto& vesicle = scene.vesicle;
   vesicle.shape.kind = kinds[this->Shape];
   vesicle.shape.triangles = this->Triangles;

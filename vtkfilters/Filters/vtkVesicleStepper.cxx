@@ -153,16 +153,16 @@ struct vtkVesicleStepper::Internals
     this->SceneTime = this->Changed;
   }
 
-  vesicle::TriangleMesh StartMesh(vtkPolyData* input) const
+  vesicle::TriangleMesh StartMesh(vtkPolyData* input, std::string& notes) const
   {
     if (input)
     {
       return vesicle::to_mesh(input);
     }
     const auto& file = this->CurrentScene.vesicle.mesh_file;
-    return file
-      ? vesicle::place_start_mesh(this->CurrentScene, vesicle::to_mesh(vesicle::read_mesh(*file)))
-      : vesicle::make_start_mesh(this->CurrentScene);
+    return file ? vesicle::place_start_mesh(
+                    this->CurrentScene, vesicle::to_mesh(vesicle::read_mesh(*file)), notes)
+                : vesicle::make_start_mesh(this->CurrentScene);
   }
 
   void Prepare(vtkPolyData* input, int cache_size)
@@ -174,7 +174,9 @@ struct vtkVesicleStepper::Internals
       return;
     }
     this->Path.reset();
-    this->Sim = std::make_unique<Simulation>(this->CurrentScene, this->StartMesh(input));
+    std::string notes;
+    vesicle::TriangleMesh mesh = this->StartMesh(input, notes);
+    this->Sim = std::make_unique<Simulation>(this->CurrentScene, std::move(mesh), notes);
     State start = this->GivenState ? *this->GivenState : this->Sim->start();
     this->Path = std::make_unique<vesicle::Trajectory>(*this->Sim, std::move(start), cache_size);
     this->DiagnosedStep = -1;

@@ -1,0 +1,34 @@
+#pragma once
+// A mesh under construction on a smooth surface.
+
+#include "solver/mesh/EdgeUses.h"
+
+namespace vesicle
+{
+
+/// A closed, oriented manifold on a surface of size about 1, with the surface's outward normals at
+/// its points.
+struct DraftMesh
+{
+  Points points;
+  Points normals;
+  Triangles triangles;
+  /// Vertices that anything else refers to: kept up to date as vertices are removed and renumbered.
+  std::vector<int> references;
+
+  Vector3 point(int i) const { return points.row(i); }
+  Vector3 normal(int i) const { return normals.row(i); }
+  double length(int a, int b) const { return (points.row(a) - points.row(b)).norm(); }
+  /// Does triangle (a, b, c) face outward, as its corners' normals do?
+  bool faces_outward(int a, int b, int c) const;
+  /// How far the edge between a and b leaves the surface: the larger sine of its angles with the
+  /// tangent planes at its ends; half its length over the radius of curvature where that is small.
+  double steepness(int a, int b) const;
+
+  /// The edges (numbered as in `edges`) longer than `low` and shorter than `high`, the shortest
+  /// first. Lengths that agree but for rounding count as equal and the numbering decides, so that a
+  /// turned mesh is treated alike.
+  std::vector<int> edges_between(double low, double high, const EdgeUses& edges) const;
+};
+
+}

@@ -1,0 +1,35 @@
+#pragma once
+// Splits, collapses and flips of the edges of a mesh on a smooth surface.
+
+#include "solver/mesh/CurvedSurface.h"
+#include "solver/mesh/DraftMesh.h"
+
+#include <limits>
+
+namespace vesicle
+{
+
+constexpr int no_limit = std::numeric_limits<int>::max();
+
+/// Cuts edges longer than `length`, the longest first, on the surface near their middle: edges
+/// without a common triangle and `most` at most, so that several calls are needed. Returns how
+/// many.
+int split_edges(DraftMesh& mesh, const CurvedSurface& surface, double length, int most = no_limit);
+
+/// Draws edges shorter than `length`, the shortest first, together to one of their ends, where the
+/// result is a manifold that faces outward without new edges longer than `longest`: edges that
+/// don't disturb each other and `most` at most, so that several calls are needed. Returns how many.
+int collapse_edges(DraftMesh& mesh, double length, double longest, int most = no_limit);
+
+/// What an edge flips for.
+enum class FlipGoal
+{
+  valences, ///< six neighbours at each vertex
+  angles,   ///< Delaunay's criterion, unless vertices get far from six neighbours
+};
+
+/// Flips edges until none wants to (or would go on for ever). Vertices keep or come to 4 to 8
+/// neighbours; around tips and rims sharper than the mesh edges follow the surface.
+void flip_edges(DraftMesh& mesh, FlipGoal goal);
+
+}

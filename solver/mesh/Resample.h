@@ -1,0 +1,40 @@
+#pragma once
+// A uniform mesh with a chosen number of triangles on the surface of any other mesh.
+
+#include "solver/mesh/MeshQuality.h"
+
+namespace vesicle
+{
+
+/// How a resampled mesh differs from the one it was made from, both taken as flat triangles.
+/// Lengths are in units of the input's r0 = (3V/4π)^{1/3}.
+struct ResampleReport
+{
+  int triangles = 0; ///< of the new mesh
+  /// Distance of the new vertices to the input and of the input's vertices to the new triangles.
+  /// New vertices stand out from the flat triangles of a coarse input.
+  double max_distance = 0;
+  double rms_distance = 0;
+  double area_error = 0; ///< new / input − 1
+  double volume_error = 0;
+  double input_reduced_volume = 0;
+  double reduced_volume = 0;
+  MeshQuality quality; ///< edges in the input's units
+  int least_valence = 0;
+  int largest_valence = 0;
+};
+
+struct Resampled
+{
+  TriangleMesh mesh;
+  ResampleReport report;
+};
+
+/// A mesh of `triangles` triangles (one more if that is odd: closed meshes have even numbers) of
+/// nearly equal size, with its vertices on a smooth surface through the input's vertices. The input
+/// must be as prepare_for_dynamics() leaves it; its triangles may be uneven, far more or far fewer.
+/// Area and volume aren't corrected. Throws InputError for fewer than 20 or more than 200,000
+/// triangles, or if there are too few to follow the input's shape.
+Resampled resample(const TriangleMesh& input, int triangles);
+
+}
