@@ -30,6 +30,7 @@ MovieSettings settings_of(const Scene& scene, const RunFolder& folder, Progress&
   settings.picture.size = scene.movie.size;
   settings.picture.view = scene.movie.view;
   settings.picture.arrows = scene.movie.arrows;
+  settings.picture.comoving = true; // what flows along the membrane, not where the vesicle drifts
   settings.picture.edges = scene.movie.edges;
   settings.directory = folder.pictures();
   settings.mp4 = folder.film();
