@@ -66,23 +66,32 @@ SurfacePoints evaluate(const BasisTable& table, const Points& nodes)
   return s;
 }
 
+SecondDerivatives second_derivatives(const BasisTable& table, const Points& nodes)
+{
+  const RowVectors zero = RowVectors::Zero(table.rows(), 3);
+  SecondDerivatives d{ zero, zero, zero };
+  for_each_entry(table,
+    [&](int q, int k)
+    {
+      const auto x = nodes.row(table.node[k]);
+      d.uu.row(q) += table.duu[k] * x;
+      d.uv.row(q) += table.duv[k] * x;
+      d.vv.row(q) += table.dvv[k] * x;
+    });
+  return d;
+}
+
 Eigen::VectorXd mean_curvature(const BasisTable& table, const SurfacePoints& s, const Points& nodes)
 {
+  const SecondDerivatives d = second_derivatives(table, nodes);
   Eigen::VectorXd mean(table.rows());
   for (int q = 0; q < table.rows(); ++q)
   {
-    Row3 uu = Row3::Zero(), uv = uu, vv = uu;
-    for (int k = table.start[q]; k < table.start[q + 1]; ++k)
-    {
-      const auto x = nodes.row(table.node[k]);
-      uu += table.duu[k] * x;
-      uv += table.duv[k] * x;
-      vv += table.dvv[k] * x;
-    }
     const Row3 a = s.tangent_u.row(q), b = s.tangent_v.row(q), c = s.cross.row(q);
     const double J = c.norm();
     mean[q] = -0.5 *
-      (b.squaredNorm() * uu.dot(c) - 2 * a.dot(b) * uv.dot(c) + a.squaredNorm() * vv.dot(c)) /
+      (b.squaredNorm() * d.uu.row(q).dot(c) - 2 * a.dot(b) * d.uv.row(q).dot(c) +
+        a.squaredNorm() * d.vv.row(q).dot(c)) /
       (J * J * J);
   }
   return mean;

@@ -22,6 +22,13 @@ struct SurfacePoints
 };
 SurfacePoints evaluate(const BasisTable& table, const Points& nodes);
 
+/// ∂²x/∂u², ∂²x/∂u∂v, ∂²x/∂v² at the rows, for bases with second derivatives.
+struct SecondDerivatives
+{
+  RowVectors uu, uv, vv;
+};
+SecondDerivatives second_derivatives(const BasisTable& table, const Points& nodes);
+
 /// H = −½ a^{αβ} ∂²x/∂α∂β · n at the rows, for bases with second derivatives; +1/R on a sphere.
 Eigen::VectorXd mean_curvature(
   const BasisTable& table, const SurfacePoints& surface, const Points& nodes);

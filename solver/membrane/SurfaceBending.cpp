@@ -42,16 +42,10 @@ RowCurvature row_curvature(const BasisTable& table, const SurfacePoints& s, cons
 {
   RowCurvature c{ Eigen::VectorXd(table.rows()), Eigen::VectorXd(table.rows()),
     std::vector<double>(table.node.size()) };
+  const SecondDerivatives second = second_derivatives(table, control);
   for (int q = 0; q < table.rows(); ++q)
   {
-    Row3 uu = Row3::Zero(), uv = uu, vv = uu;
-    for (int k = table.start[q]; k < table.start[q + 1]; ++k)
-    {
-      const auto x = control.row(table.node[k]);
-      uu += table.duu[k] * x;
-      uv += table.duv[k] * x;
-      vv += table.dvv[k] * x;
-    }
+    const Row3 uu = second.uu.row(q), uv = second.uv.row(q), vv = second.vv.row(q);
     const Row3 a = s.tangent_u.row(q), b = s.tangent_v.row(q), cross = s.cross.row(q);
     const double J = cross.norm(), g_uu = b.squaredNorm() / (J * J), g_uv = -a.dot(b) / (J * J),
                  g_vv = a.squaredNorm() / (J * J);
