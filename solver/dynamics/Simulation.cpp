@@ -23,7 +23,7 @@ constexpr double first_step = 1e-2;
 // Where the scene has no rate of its own (nothing moves, or nothing but a uniform flow).
 constexpr double idle_rate = 1;
 // Shorter steps than this fraction of the scene's time mean that the run is stuck.
-constexpr double shortest_step = 1e-7;
+constexpr double shortest_step = 1e-6;
 constexpr int max_attempts = 40;
 // end = "steady": the shape's normal speed relative to its centroid, in r0 times the scene's rate.
 constexpr double steady_speed = 2e-3;
@@ -240,6 +240,12 @@ State Simulation::step(const State& before) const
       }
       impl.plan_next_step(after);
       impl.stepper.solve(after);
+      if (impl.settings.adaptive && impl.settings.integrator == Scene::Integrator::imex_euler)
+      {
+        // Known only now: the step after the next one follows it.
+        report.error = impl.stepper.euler_error(from, after);
+        after.free_step = wanted_step(from.next_step, report, impl.settings.limits);
+      }
       return after;
     }
     if (!impl.settings.adaptive)

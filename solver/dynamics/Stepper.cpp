@@ -159,6 +159,12 @@ void Stepper::solve(State& state) const
   state.node_velocity = node_velocity(*stage.shape, state.points, state.velocity);
 }
 
+double Stepper::euler_error(const State& before, const State& after) const
+{
+  return after.last_step / 2 *
+    largest_normal(*shape(after.points), flat(after.velocity) - flat(before.velocity));
+}
+
 State Stepper::attempt(const State& before, StepReport& report) const
 {
   const double dt = before.next_step;

@@ -46,6 +46,10 @@ public:
   /// Fills velocity, tension, bending, node velocity of `state` for its points and next_step.
   void solve(State& state) const;
 
+  /// Error of an Euler step from `before` to `after`, known once `after` is solved: (dt/2)
+  /// max|n·Δu|.
+  double euler_error(const State& before, const State& after) const;
+
   /// The state after an attempted step of `state.next_step`, not yet solved (velocity and forces
   /// are the midpoint's), with what there is to say about it. NumericalError of a linear solve is
   /// passed on.
