@@ -44,6 +44,10 @@ TEST_P(BuoyantSphere, ConvergesWithOrderTwo)
   const Errors coarse = solve(GetParam(), 4), fine = solve(GetParam(), 8);
   EXPECT_LT(fine.speed, 0.02);
   EXPECT_LT(fine.tension, 0.02);
+  if (GetParam() == Scene::Preset::balanced)
+    EXPECT_LT(fine.divergence, coarse.divergence); // the tension's filter, of third order
+  else
+    EXPECT_LT(fine.divergence, 1e-8);
   EXPECT_GT(test::order(coarse.speed, fine.speed), 1.7) << coarse.speed << ", " << fine.speed;
   EXPECT_GT(test::order(coarse.tension, fine.tension), 1.7)
     << coarse.tension << ", " << fine.tension;

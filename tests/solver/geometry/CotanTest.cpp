@@ -1,6 +1,7 @@
 // Not covered: pointwise convergence of Δ_s H, which the cotan scheme doesn't have at vertices of
 // valence other than six or on irregular meshes; weak convergence is tested with the bending force.
 #include "solver/geometry/Cotan.h"
+#include "tests/solver/support/CotanCase.h"
 #include "tests/solver/support/TestMeshes.h"
 
 #include <gtest/gtest.h>
@@ -16,16 +17,9 @@ namespace
 using test::jittered_sphere;
 using test::mapped;
 
-struct Case
+struct Case : test::CotanCase
 {
-  TriangleMesh mesh;
-  CotanGeometry geometry;
-  Curvature curvature;
-  explicit Case(TriangleMesh m, NormalScheme scheme = NormalScheme::area_weighted)
-    : mesh(std::move(m)), geometry(mesh.points, mesh.triangles),
-      curvature(cotan_curvature(geometry, mesh.points, scheme))
-  {
-  }
+  using CotanCase::CotanCase;
   // Area-weighted L2 mean of a nodal error.
   double norm(const Eigen::VectorXd& f) const
   {

@@ -1,4 +1,5 @@
 #include "solver/membrane/Bending.h"
+#include "tests/solver/support/CotanCase.h"
 #include "tests/solver/support/TestMeshes.h"
 
 #include <gtest/gtest.h>
@@ -15,16 +16,9 @@ namespace
 using test::jittered_sphere;
 using test::mapped;
 
-struct Case
+struct Case : test::CotanCase
 {
-  TriangleMesh mesh;
-  CotanGeometry geometry;
-  Curvature curvature;
-  explicit Case(TriangleMesh m)
-    : mesh(std::move(m)), geometry(mesh.points, mesh.triangles),
-      curvature(cotan_curvature(geometry, mesh.points, NormalScheme::area_weighted))
-  {
-  }
+  using CotanCase::CotanCase;
   double energy() const { return bending_energy(geometry, curvature); }
   // ∮ f η dS with the nodes' areas.
   double work(const Eigen::VectorXd& f, const std::function<double(const Vector3&)>& eta) const
