@@ -28,7 +28,7 @@ class LinearDiscretization final : public Discretization
 public:
   LinearDiscretization(const Model& model, const Triangles& triangles, int nodes, int quadrature)
     : model_(model), basis_(triangles, nodes),
-      layer_(basis_, LayerQuadrature{ quadrature, 0, 1, 4 })
+      layer_(basis_, LayerQuadrature{ quadrature, 0, 0, 1, 4 })
   {
   }
 

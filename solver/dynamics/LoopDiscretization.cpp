@@ -16,12 +16,11 @@ namespace
 
 using ColumnMatrix = Eigen::SparseMatrix<double>;
 
-// Levels by which elements at extraordinary vertices are refined: for geometry, which costs little,
-// and for the single layer.
-constexpr int geometry_grading = 3, layer_grading = 1;
+// Levels by which elements at extraordinary vertices are refined for the geometry, which costs
+// little.
+constexpr int geometry_grading = 3;
 constexpr int geometry_points = 6;
-// The layer's Duffy rule.
-constexpr int radial_points = 3, angular_points = 4;
+
 // Bounds of the eigenvalues of P: 1/4 to 1 for valence six, a little lower for small valences.
 constexpr double smallest_eigenvalue = 0.2, largest_eigenvalue = 1;
 constexpr int chebyshev_sweeps = 6;
@@ -38,8 +37,7 @@ public:
   LoopDiscretization(const Model& model, const Triangles& triangles, int nodes, int quadrature)
     : model_(model), basis_(triangles, nodes),
       geometry_(tabulate_rule(basis_, triangle_rule(geometry_points), geometry_grading)),
-      layer_(basis_, LayerQuadrature{ quadrature, layer_grading, radial_points, angular_points }),
-      P_(basis_.collocation())
+      layer_(basis_, smooth_layer_quadrature(quadrature)), P_(basis_.collocation())
   {
     ColumnMatrix columns = P_;
     columns.makeCompressed();

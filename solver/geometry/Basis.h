@@ -60,6 +60,9 @@ public:
   /// P: surface points at the mesh's vertices = P · control points. Velocities are collocated
   /// there.
   virtual SparseMatrix collocation() const = 0;
+  /// Distances from a vertex grow as its parametric distance to that power; 1 where the
+  /// parametrisation is smooth.
+  virtual double radial_exponent(int vertex) const = 0;
   /// Unit outward normals at the vertices: N by 3.
   virtual Points vertex_normals(const Points& control) const = 0;
 
@@ -77,6 +80,7 @@ public:
   const Triangles& elements() const override { return triangles_; }
   BasisTable tabulate(std::span<const ParametricPoint> points) const override;
   SparseMatrix collocation() const override;
+  double radial_exponent(int) const override { return 1; }
   Points vertex_normals(const Points& control) const override;
 
 protected:

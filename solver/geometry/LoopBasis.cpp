@@ -348,6 +348,11 @@ SparseMatrix LoopBasis::collocation() const
   return P;
 }
 
+double LoopBasis::radial_exponent(int vertex) const
+{
+  return -std::log2(3. / 8 + std::cos(2 * std::numbers::pi / ring_.size(vertex)) / 4);
+}
+
 Points LoopBasis::vertex_normals(const Points& control) const
 {
   // Limit tangents: the ring weighted by cos and sin of its angle.

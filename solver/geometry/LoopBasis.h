@@ -21,6 +21,9 @@ public:
   /// Second derivatives are included. Points must not be corners of extraordinary vertices.
   BasisTable tabulate(std::span<const ParametricPoint> points) const override;
   SparseMatrix collocation() const override;
+  /// −log₂ λ with λ = 3/8 + cos(2π/n)/4, by which a level of subdivision shrinks the neighbourhood
+  /// of a vertex of valence n.
+  double radial_exponent(int vertex) const override;
   Points vertex_normals(const Points& control) const override;
 
 protected:

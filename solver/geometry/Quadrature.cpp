@@ -107,19 +107,21 @@ GaussRule gauss_legendre(int points)
   return rule;
 }
 
-std::vector<TrianglePoint> duffy_rule(int corner, int radial_points, int angular_points)
+std::vector<TrianglePoint> duffy_rule(
+  int corner, int radial_points, int angular_points, double exponent)
 {
   const GaussRule radial = gauss_legendre(radial_points), angular = gauss_legendre(angular_points);
   std::vector<TrianglePoint> rule;
   for (int a = 0; a < radial_points; ++a)
     for (int b = 0; b < angular_points; ++b)
     {
-      const double rho = radial.node[a], t = angular.node[b];
+      const double s = radial.node[a], t = angular.node[b];
+      const double rho = std::pow(s, 1 / exponent), drho = rho / (s * exponent);
       std::array<double, 3> lambda;
       lambda[corner] = 1 - rho;
       lambda[(corner + 1) % 3] = rho * (1 - t);
       lambda[(corner + 2) % 3] = rho * t;
-      rule.push_back({ lambda[1], lambda[2], radial.weight[a] * angular.weight[b] * rho });
+      rule.push_back({ lambda[1], lambda[2], radial.weight[a] * angular.weight[b] * rho * drho });
     }
   return rule;
 }

@@ -29,7 +29,10 @@ std::span<const TrianglePoint> triangle_rule(int points);
 /// corner (0 to 1), t runs along the opposite edge; λ = (1 − ρ, ρ(1 − t), ρ t). The Jacobian ρ,
 /// part of the weight, cancels the singularity; on a flat element the radial integral of 1/r times
 /// a linear density is then exact with one radial point.
-std::vector<TrianglePoint> duffy_rule(int corner, int radial_points, int angular_points);
+/// Where distances in space grow as ρ^exponent, as they do around an extraordinary vertex, the
+/// radial points are spread accordingly: ρ = s^{1/exponent} with Gauss points s.
+std::vector<TrianglePoint> duffy_rule(
+  int corner, int radial_points, int angular_points, double exponent = 1);
 
 /// Gauss–Legendre nodes and weights on [0, 1].
 struct GaussRule

@@ -1,5 +1,8 @@
 #include "solver/geometry/Surface.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <vector>
 
 namespace vesicle
@@ -10,7 +13,20 @@ namespace
 
 using Row3 = Eigen::RowVector3d;
 
-// Calls visit(row, entry) for every entry of the table.
+// Calls visit(row) for every row, in parallel.
+template<class Visit>
+void for_each_row(const BasisTable& table, Visit visit)
+{
+  constexpr int grain = 256; // rows, some ten thousand operations
+  tbb::parallel_for(tbb::blocked_range<int>(0, table.rows(), grain),
+    [&](const auto& rows)
+    {
+      for (int q = rows.begin(); q < rows.end(); ++q)
+        visit(q);
+    });
+}
+
+// Calls visit(row, entry) for every entry of the table, one after the other.
 template<class Visit>
 void for_each_entry(const BasisTable& table, Visit visit)
 {
@@ -48,35 +64,46 @@ struct ScaledGradient
 SurfacePoints evaluate(const BasisTable& table, const Points& nodes)
 {
   const int rows = table.rows();
-  SurfacePoints s{ RowVectors::Zero(rows, 3), RowVectors::Zero(rows, 3), RowVectors::Zero(rows, 3),
+  SurfacePoints s{ RowVectors(rows, 3), RowVectors(rows, 3), RowVectors(rows, 3),
     RowVectors(rows, 3), Eigen::VectorXd(rows) };
-  for_each_entry(table,
-    [&](int q, int k)
+  for_each_row(table,
+    [&](int q)
     {
-      const auto x = nodes.row(table.node[k]);
-      s.position.row(q) += table.value[k] * x;
-      s.tangent_u.row(q) += table.du[k] * x;
-      s.tangent_v.row(q) += table.dv[k] * x;
+      Row3 x = Row3::Zero(), a = x, b = x;
+      for (int k = table.start[q]; k < table.start[q + 1]; ++k)
+      {
+        const auto node = nodes.row(table.node[k]);
+        x += table.value[k] * node;
+        a += table.du[k] * node;
+        b += table.dv[k] * node;
+      }
+      s.position.row(q) = x;
+      s.tangent_u.row(q) = a;
+      s.tangent_v.row(q) = b;
+      s.cross.row(q) = a.cross(b);
+      s.area_weight[q] = table.weight[q] * s.cross.row(q).norm();
     });
-  for (int q = 0; q < rows; ++q)
-  {
-    s.cross.row(q) = s.tangent_u.row(q).cross(s.tangent_v.row(q));
-    s.area_weight[q] = table.weight[q] * s.cross.row(q).norm();
-  }
   return s;
 }
 
 SecondDerivatives second_derivatives(const BasisTable& table, const Points& nodes)
 {
-  const RowVectors zero = RowVectors::Zero(table.rows(), 3);
-  SecondDerivatives d{ zero, zero, zero };
-  for_each_entry(table,
-    [&](int q, int k)
+  const int rows = table.rows();
+  SecondDerivatives d{ RowVectors(rows, 3), RowVectors(rows, 3), RowVectors(rows, 3) };
+  for_each_row(table,
+    [&](int q)
     {
-      const auto x = nodes.row(table.node[k]);
-      d.uu.row(q) += table.duu[k] * x;
-      d.uv.row(q) += table.duv[k] * x;
-      d.vv.row(q) += table.dvv[k] * x;
+      Row3 uu = Row3::Zero(), uv = uu, vv = uu;
+      for (int k = table.start[q]; k < table.start[q + 1]; ++k)
+      {
+        const auto node = nodes.row(table.node[k]);
+        uu += table.duu[k] * node;
+        uv += table.duv[k] * node;
+        vv += table.dvv[k] * node;
+      }
+      d.uu.row(q) = uu;
+      d.uv.row(q) = uv;
+      d.vv.row(q) = vv;
     });
   return d;
 }
@@ -85,15 +112,16 @@ Eigen::VectorXd mean_curvature(const BasisTable& table, const SurfacePoints& s, 
 {
   const SecondDerivatives d = second_derivatives(table, nodes);
   Eigen::VectorXd mean(table.rows());
-  for (int q = 0; q < table.rows(); ++q)
-  {
-    const Row3 a = s.tangent_u.row(q), b = s.tangent_v.row(q), c = s.cross.row(q);
-    const double J = c.norm();
-    mean[q] = -0.5 *
-      (b.squaredNorm() * d.uu.row(q).dot(c) - 2 * a.dot(b) * d.uv.row(q).dot(c) +
-        a.squaredNorm() * d.vv.row(q).dot(c)) /
-      (J * J * J);
-  }
+  for_each_row(table,
+    [&](int q)
+    {
+      const Row3 a = s.tangent_u.row(q), b = s.tangent_v.row(q), c = s.cross.row(q);
+      const double J = c.norm();
+      mean[q] = -0.5 *
+        (b.squaredNorm() * d.uu.row(q).dot(c) - 2 * a.dot(b) * d.uv.row(q).dot(c) +
+          a.squaredNorm() * d.vv.row(q).dot(c)) /
+        (J * J * J);
+    });
   return mean;
 }
 

@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <numbers>
+#include <numeric>
 
 namespace vesicle
 {
@@ -44,13 +46,17 @@ struct RowData
   {
     const int rows = table.rows();
     normal = dual_u = dual_v = RowVectors(rows, 3);
-    for (int q = 0; q < rows; ++q)
-    {
-      const double J = surface.cross.row(q).norm();
-      normal.row(q) = surface.cross.row(q) / J;
-      dual_u.row(q) = surface.tangent_v.row(q).cross(normal.row(q)) / J;
-      dual_v.row(q) = normal.row(q).cross(surface.tangent_u.row(q)) / J;
-    }
+    tbb::parallel_for(tbb::blocked_range<int>(0, rows, 256),
+      [&](const auto& block)
+      {
+        for (int q = block.begin(); q < block.end(); ++q)
+        {
+          const double J = surface.cross.row(q).norm();
+          normal.row(q) = surface.cross.row(q) / J;
+          dual_u.row(q) = surface.tangent_v.row(q).cross(normal.row(q)) / J;
+          dual_v.row(q) = normal.row(q).cross(surface.tangent_u.row(q)) / J;
+        }
+      });
     twice_mean = 2 * mean_curvature(table, surface, control);
     return { sources(table), table.du.data(), table.dv.data(), normal.data(), dual_u.data(),
       dual_v.data(), twice_mean.data(), rows };
@@ -66,22 +72,96 @@ void transpose_lane(const double* sum, int lane, int n, int component, double* r
 
 }
 
-SingleLayer::SingleLayer(const Basis& basis, const LayerQuadrature& quadrature)
-  : vertex_elements_(Connectivity(basis.elements(), basis.nodes()).vertex_triangles)
+namespace
 {
-  const std::vector<ParametricPoint> rule =
-    basis.rule(triangle_rule(quadrature.regular), quadrature.graded);
-  regular_ = basis.tabulate(rule);
-  first_row_.assign(basis.elements().rows() + 1, 0);
+
+// Rows of the rule on all elements, and the first row of each element.
+BasisTable tabulate_elements(
+  const Basis& basis, int points, int graded, std::vector<int>& element_start)
+{
+  const std::vector<ParametricPoint> rule = basis.rule(triangle_rule(points), graded);
+  element_start.assign(basis.elements().rows() + 1, 0);
   for (const ParametricPoint& p : rule)
-    ++first_row_[p.element + 1];
-  for (std::size_t e = 1; e < first_row_.size(); ++e)
-    first_row_[e] += first_row_[e - 1];
+    ++element_start[p.element + 1];
+  std::partial_sum(element_start.begin(), element_start.end(), element_start.begin());
+  return basis.tabulate(rule);
+}
+
+void sort_unique(std::vector<int>& items)
+{
+  std::sort(items.begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
+}
+
+// Elements that don't touch the vertex but share a corner with one that does, ascending.
+AdjacencyList second_ring(const Connectivity& mesh)
+{
+  AdjacencyList result{ { 0 }, {} };
+  const AdjacencyList &neighbours = mesh.vertex_neighbours, &elements = mesh.vertex_triangles;
+  for (int i = 0; i + 1 < static_cast<int>(neighbours.start.size()); ++i)
+  {
+    std::vector<int> around;
+    for (const int* j = neighbours.begin(i); j != neighbours.end(i); ++j)
+      around.insert(around.end(), elements.begin(*j), elements.end(*j));
+    sort_unique(around);
+    std::set_difference(around.begin(), around.end(), elements.begin(i), elements.end(i),
+      std::back_inserter(result.item));
+    result.start.push_back(static_cast<int>(result.item.size()));
+  }
+  return result;
+}
+
+// The vertices in groups of `lanes` that are close together on the mesh where possible: grown from
+// the first vertex left over. Then few elements are near any target of a group.
+std::vector<int> group_neighbours(const AdjacencyList& neighbours)
+{
+  const int n = static_cast<int>(neighbours.start.size()) - 1;
+  std::vector<int> order;
+  std::vector<bool> taken(n, false);
+  const auto take = [&](int i)
+  {
+    taken[i] = true;
+    order.push_back(i);
+  };
+  for (int seed = 0; seed < n; ++seed)
+  {
+    if (taken[seed])
+      continue;
+    std::size_t next = order.size();
+    take(seed);
+    for (; next < order.size() && order.size() % lanes != 0; ++next)
+      for (const int* j = neighbours.begin(order[next]); j != neighbours.end(order[next]); ++j)
+        if (!taken[*j] && order.size() % lanes != 0)
+          take(*j);
+  }
+  return order;
+}
+
+}
+
+LayerQuadrature smooth_layer_quadrature(int regular)
+{
+  if (regular < 6)
+    return { .regular = regular, .near = 6, .graded = 1, .radial = 3, .angular = 4 };
+  return {
+    .regular = regular, .near = regular < 12 ? 12 : 0, .graded = 2, .radial = 4, .angular = 6
+  };
+}
+
+SingleLayer::SingleLayer(const Basis& basis, const LayerQuadrature& quadrature)
+{
+  const Connectivity connectivity(basis.elements(), basis.nodes());
+  vertex_elements_ = connectivity.vertex_triangles;
+  order_ = group_neighbours(connectivity.vertex_neighbours);
+  regular_ = tabulate_elements(basis, quadrature.regular, quadrature.graded, regular_start_);
+  near_elements_.start.assign(basis.nodes() + 1, 0);
+  if (quadrature.near > 0)
+  {
+    near_elements_ = second_ring(connectivity);
+    near_ = tabulate_elements(basis, quadrature.near, quadrature.graded, near_start_);
+  }
 
   // Tabulated element by element, which the basis does fastest, then grouped by vertex.
-  std::array<std::vector<TrianglePoint>, 3> duffy;
-  for (int corner = 0; corner < 3; ++corner)
-    duffy[corner] = duffy_rule(corner, quadrature.radial, quadrature.angular);
   std::vector<ParametricPoint> points;
   for (int i = 0; i < basis.nodes(); ++i)
   {
@@ -89,62 +169,78 @@ SingleLayer::SingleLayer(const Basis& basis, const LayerQuadrature& quadrature)
     for (const int* e = vertex_elements_.begin(i); e != vertex_elements_.end(i); ++e)
       for (int corner = 0; corner < 3; ++corner)
         if (basis.elements()(*e, corner) == i)
-          for (const TrianglePoint& p : duffy[corner])
+          for (const TrianglePoint& p :
+            duffy_rule(corner, quadrature.radial, quadrature.angular, basis.radial_exponent(i)))
             points.push_back({ *e, p.u, p.v, p.weight });
   }
   singular_start_.push_back(static_cast<int>(points.size()));
   singular_ = basis.tabulate(points);
 }
 
-// For every group of targets: all rows of elements that don't touch a target, then the target's own
-// Duffy rows, added up by `kernel`; then write(first target, number of targets, sums).
+// For every group of targets: all rows of elements that don't touch a target, those next to it by
+// the near rule, then the target's own Duffy rows, added up by `kernel`; then write(targets, their
+// number, sums).
 template<class Sources, class Kernel, class Write>
 void SingleLayer::for_each_block(const Points& vertices, const Sources& regular,
-  const Sources& singular, Kernel kernel, Write write) const
+  const Sources& near, const Sources& singular, Kernel kernel, Write write) const
 {
   const int n = static_cast<int>(vertices.rows()), blocks = (n + lanes - 1) / lanes;
   tbb::parallel_for(0, blocks,
     [&](int block)
     {
-      const int first = block * lanes, count = std::min(lanes, n - first);
-      std::array<double, 3 * lanes> targets;
+      const int count = std::min(lanes, n - block * lanes);
+      const int* target = order_.data() + block * lanes;
+      std::array<double, 3 * lanes> position;
       for (int lane = 0; lane < lanes; ++lane)
         for (int c = 0; c < 3; ++c)
-          targets[c * lanes + lane] = vertices(first + std::min(lane, count - 1), c);
+          position[c * lanes + lane] = vertices(target[std::min(lane, count - 1)], c);
 
-      // Elements that touch one of the targets leave that target to its Duffy rows.
-      std::vector<int> touching;
+      // Elements that touch a target or are next to it have rows of their own for it.
+      std::vector<int> special;
       for (int lane = 0; lane < count; ++lane)
-        touching.insert(
-          touching.end(), vertex_elements_.begin(first + lane), vertex_elements_.end(first + lane));
-      std::sort(touching.begin(), touching.end());
-      touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
+        for (const AdjacencyList* list : { &vertex_elements_, &near_elements_ })
+          special.insert(special.end(), list->begin(target[lane]), list->end(target[lane]));
+      sort_unique(special);
+      // 1 for the lanes whose target has the element in the list.
+      const auto lanes_of = [&](const AdjacencyList& list, int element)
+      {
+        std::array<double, lanes> mask{};
+        for (int lane = 0; lane < count; ++lane)
+          mask[lane] =
+            std::binary_search(list.begin(target[lane]), list.end(target[lane]), element) ? 1 : 0;
+        return mask;
+      };
 
       thread_local Accumulator sum;
       sum.assign(static_cast<std::size_t>(n) * stride, 0);
+      const auto add =
+        [&](const Sources& sources, int begin, int end, const std::array<double, lanes>& mask)
+      { kernel(sources, begin, end, position.data(), mask.data(), sum.data()); };
       std::array<double, lanes> all;
       all.fill(1);
       int row = 0;
-      for (int e : touching)
+      for (int e : special)
       {
-        kernel(regular, row, first_row_[e], targets.data(), all.data(), sum.data());
-        std::array<double, lanes> mask = all;
-        for (int lane = 0; lane < count; ++lane)
-          if (std::binary_search(
-                vertex_elements_.begin(first + lane), vertex_elements_.end(first + lane), e))
-            mask[lane] = 0;
-        row = first_row_[e + 1];
-        kernel(regular, first_row_[e], row, targets.data(), mask.data(), sum.data());
+        add(regular, row, regular_start_[e], all);
+        const std::array<double, lanes> touching = lanes_of(vertex_elements_, e),
+                                        close = lanes_of(near_elements_, e);
+        std::array<double, lanes> others;
+        for (int lane = 0; lane < lanes; ++lane)
+          others[lane] = 1 - touching[lane] - close[lane];
+        row = regular_start_[e + 1];
+        if (others != std::array<double, lanes>{})
+          add(regular, regular_start_[e], row, others);
+        if (close != std::array<double, lanes>{})
+          add(near, near_start_[e], near_start_[e + 1], close);
       }
-      kernel(regular, row, first_row_.back(), targets.data(), all.data(), sum.data());
+      add(regular, row, regular_start_.back(), all);
       for (int lane = 0; lane < count; ++lane)
       {
         std::array<double, lanes> only{};
         only[lane] = 1;
-        kernel(singular, singular_start_[first + lane], singular_start_[first + lane + 1],
-          targets.data(), only.data(), sum.data());
+        add(singular, singular_start_[target[lane]], singular_start_[target[lane] + 1], only);
       }
-      write(first, count, sum.data());
+      write(target, count, sum.data());
     });
 }
 
@@ -152,9 +248,10 @@ void SingleLayer::assemble(const Points& vertices, const Points& control, DenseM
 {
   const int n = static_cast<int>(vertices.rows());
   matrix.resize(3 * n, 3 * n);
-  const RowData regular(regular_, control), singular(singular_, control);
-  for_each_block(vertices, regular.sources(regular_), singular.sources(singular_), add_stokeslets,
-    [&](int first, int count, const double* sum)
+  const RowData regular(regular_, control), near(near_, control), singular(singular_, control);
+  for_each_block(vertices, regular.sources(regular_), near.sources(near_),
+    singular.sources(singular_), add_stokeslets,
+    [&](const int* target, int count, const double* sum)
     {
       // Component of each entry of the symmetric 3 by 3 block.
       static constexpr int component[3][3] = { { 0, 1, 2 }, { 1, 3, 4 }, { 2, 4, 5 } };
@@ -162,7 +259,7 @@ void SingleLayer::assemble(const Points& vertices, const Points& control, DenseM
         for (int a = 0; a < 3; ++a)
           for (int b = 0; b < 3; ++b)
             for (int k = 0; k < n; ++k)
-              matrix(3 * (first + lane) + a, 3 * k + b) =
+              matrix(3 * target[lane] + a, 3 * k + b) =
                 sum[static_cast<long>(k) * stride + component[a][b] * lanes + lane];
     });
 }
@@ -175,9 +272,10 @@ void SingleLayer::respond(const Points& points, const Points& normal, bool with_
   response.normal.resize(with_normal ? 3 * n : 0, with_normal ? n : 0);
   response.tension.resize(with_tension ? 3 * n : 0, with_tension ? n : 0);
   response.load.resize(with_load ? 3 * n : 0);
-  const RowData regular(regular_, points), singular(singular_, points);
-  for_each_block(points, regular.sources(regular_), singular.sources(singular_), add_stokeslets,
-    [&](int first, int count, const double* sum)
+  const RowData regular(regular_, points), near(near_, points), singular(singular_, points);
+  for_each_block(points, regular.sources(regular_), near.sources(near_),
+    singular.sources(singular_), add_stokeslets,
+    [&](const int* target, int count, const double* sum)
     {
       thread_local Accumulator tension;
       tension.assign(with_tension ? static_cast<std::size_t>(n) * 3 * lanes : 0, 0);
@@ -220,7 +318,7 @@ void SingleLayer::respond(const Points& points, const Points& normal, bool with_
       for (int lane = 0; lane < count; ++lane)
         for (int c = 0; c < 3; ++c)
         {
-          const int row = 3 * (first + lane) + c;
+          const int row = 3 * target[lane] + c;
           if (with_load)
             response.load[row] = from_load[c * lanes + lane];
           for (int k = 0; with_normal && k < n; ++k)
@@ -240,16 +338,17 @@ void SingleLayer::respond_on_surface(const Points& vertices, const Points& contr
   response.normal.resize(with_normal ? 3 * n : 0, with_normal ? n : 0);
   response.tension.resize(with_tension ? 3 * n : 0, with_tension ? n : 0);
   response.load.resize(with_load ? 3 * n : 0);
-  RowData regular(regular_, control), singular(singular_, control);
+  RowData regular(regular_, control), near(near_, control), singular(singular_, control);
   for_each_block(vertices, regular.surface_sources(regular_, control),
-    singular.surface_sources(singular_, control), add_surface_densities,
-    [&](int first, int count, const double* sum)
+    near.surface_sources(near_, control), singular.surface_sources(singular_, control),
+    add_surface_densities,
+    [&](const int* target, int count, const double* sum)
     {
       std::vector<double> row(n);
       for (int lane = 0; lane < count; ++lane)
         for (int c = 0; c < 3; ++c)
         {
-          const int i = 3 * (first + lane) + c;
+          const int i = 3 * target[lane] + c;
           if (with_tension)
             transpose_lane(sum, lane, n, 3 + c, response.tension.row(i).data());
           if (!with_normal && !with_load)
