@@ -3,7 +3,7 @@
 
 #include "TestSurfaces.h"
 
-#include "render/EGLContext.h"
+#include "render/Offscreen/EGLContext.h"
 #include "render/RenderBackend.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #pragma once
 // Mesa's software renderer without a window system (libOSMesa, loaded at run time).
 
-#include "render/OffscreenContext.h"
+#include "OffscreenContext.h"
 
 #include <memory>
 #include <string>

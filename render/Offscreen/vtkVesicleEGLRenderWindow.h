@@ -4,11 +4,11 @@
  * @brief   off-screen window: libEGL on Mesa's surfaceless platform
  */
 
-#include "render/vtkVesicleOffscreenRenderWindow.h"
+#include "vtkVesicleOffscreenRenderWindow.h"
 
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0)
 
-class vtkVesicleEGLRenderWindow : public vtkVesicleOffscreenRenderWindow
+class VESICLEOFFSCREEN_EXPORT vtkVesicleEGLRenderWindow : public vtkVesicleOffscreenRenderWindow
 {
 public:
   static vtkVesicleEGLRenderWindow* New();

@@ -2,7 +2,8 @@
 // An OpenGL context from libEGL (loaded at run time) on Mesa's surfaceless platform: needs neither
 // an X server nor a graphics device, and uses one where Mesa drives it.
 
-#include "render/OffscreenContext.h"
+#include "OffscreenContext.h"
+#include "VesicleOffscreenModule.h"
 
 #include <memory>
 #include <string>
@@ -11,6 +12,6 @@ namespace vesicle
 {
 
 /// A new OpenGL core context; null, with the reason in why_not, when libEGL can't be used.
-std::unique_ptr<OffscreenContext> make_egl_context(std::string& why_not);
+VESICLEOFFSCREEN_EXPORT std::unique_ptr<OffscreenContext> make_egl_context(std::string& why_not);
 
 }

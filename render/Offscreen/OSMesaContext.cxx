@@ -1,7 +1,7 @@
-#include "render/OSMesaContext.h"
+#include "OSMesaContext.h"
 
-#include "render/GLDispatch.h"
-#include "render/SharedLibrary.h"
+#include "GLDispatch.h"
+#include "SharedLibrary.h"
 
 #include <array>
 

@@ -1,6 +1,6 @@
-#include "render/EGLContext.h"
+#include "EGLContext.h"
 
-#include "render/SharedLibrary.h"
+#include "SharedLibrary.h"
 
 namespace vesicle
 {

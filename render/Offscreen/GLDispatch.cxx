@@ -1,6 +1,6 @@
-#include "render/GLDispatch.h"
+#include "GLDispatch.h"
 
-#include "render/SharedLibrary.h"
+#include "SharedLibrary.h"
 
 namespace vesicle
 {

@@ -1,8 +1,8 @@
-#include "render/vtkVesicleOSMesaRenderWindow.h"
+#include "vtkVesicleOSMesaRenderWindow.h"
 
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0)
 
-#include "render/OSMesaContext.h"
+#include "OSMesaContext.h"
 
 #include "vtkObjectFactory.h"
 

@@ -8,6 +8,7 @@
  * from. It is for VTK 9.1 to 9.3, which load OpenGL through GLEW.
  */
 
+#include "VesicleOffscreenModule.h" // for the export macro
 #include "vtkVersionMacros.h"
 
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0)
@@ -22,7 +23,7 @@ namespace vesicle
 class OffscreenContext;
 }
 
-class vtkVesicleOffscreenRenderWindow : public vtkOpenGLRenderWindow
+class VESICLEOFFSCREEN_EXPORT vtkVesicleOffscreenRenderWindow : public vtkOpenGLRenderWindow
 {
 public:
   vtkTypeMacro(vtkVesicleOffscreenRenderWindow, vtkOpenGLRenderWindow);

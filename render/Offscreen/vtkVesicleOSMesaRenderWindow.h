@@ -4,11 +4,11 @@
  * @brief   off-screen window: software rendering by Mesa's libOSMesa
  */
 
-#include "render/vtkVesicleOffscreenRenderWindow.h"
+#include "vtkVesicleOffscreenRenderWindow.h"
 
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0)
 
-class vtkVesicleOSMesaRenderWindow : public vtkVesicleOffscreenRenderWindow
+class VESICLEOFFSCREEN_EXPORT vtkVesicleOSMesaRenderWindow : public vtkVesicleOffscreenRenderWindow
 {
 public:
   static vtkVesicleOSMesaRenderWindow* New();

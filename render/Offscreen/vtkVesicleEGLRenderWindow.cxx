@@ -1,8 +1,8 @@
-#include "render/vtkVesicleEGLRenderWindow.h"
+#include "vtkVesicleEGLRenderWindow.h"
 
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0)
 
-#include "render/EGLContext.h"
+#include "EGLContext.h"
 
 #include "vtkObjectFactory.h"
 

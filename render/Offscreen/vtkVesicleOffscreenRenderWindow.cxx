@@ -1,8 +1,8 @@
-#include "render/vtkVesicleOffscreenRenderWindow.h"
+#include "vtkVesicleOffscreenRenderWindow.h"
 
 #if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0)
 
-#include "render/OffscreenContext.h"
+#include "OffscreenContext.h"
 
 #include "vtkRenderer.h"
 #include "vtkRendererCollection.h"

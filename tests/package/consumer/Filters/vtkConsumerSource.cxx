@@ -1,0 +1,12 @@
+#include "vtkConsumerSource.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkConsumerSource);
+
+vtkConsumerSource::vtkConsumerSource()
+{
+  this->SetShape(Prolate);
+  this->SetReducedVolume(0.8);
+  this->SetTriangles(320);
+}
