@@ -52,11 +52,13 @@ VtkMessages::VtkMessages()
     collector_(vtk::TakeSmartPointer<vtkOutputWindow>(Collector::New()))
 {
   vtkOutputWindow::SetInstance(collector_);
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // it prints errors a second time
 }
 
 VtkMessages::~VtkMessages()
 {
   vtkOutputWindow::SetInstance(before_);
+  vtkLogger::SetStderrVerbosity(verbosity_);
 }
 
 bool VtkMessages::any_error() const

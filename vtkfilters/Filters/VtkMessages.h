@@ -3,6 +3,7 @@
 
 #include "VesicleFiltersModule.h"
 
+#include "vtkLogger.h"
 #include "vtkSmartPointer.h"
 
 #include <string>
@@ -30,6 +31,7 @@ public:
 private:
   vtkSmartPointer<vtkOutputWindow> before_;
   vtkSmartPointer<vtkOutputWindow> collector_;
+  vtkLogger::Verbosity verbosity_ = vtkLogger::GetCurrentVerbosityCutoff();
 };
 
 }

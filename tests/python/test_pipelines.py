@@ -1,0 +1,153 @@
+"""The filters among VTK's own, from Python."""
+
+import unittest
+
+import numpy
+import vesicle
+from support import sphere, temporary_folder
+from vtkmodules.numpy_interface import dataset_adapter
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersCore import vtkCleanPolyData
+from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter, vtkWarpVector
+
+
+def connected(algorithm, source):
+    algorithm.SetInputConnection(source.GetOutputPort())
+    return algorithm
+
+
+class Count:
+    """How often an algorithm has run."""
+
+    def __init__(self, algorithm):
+        self.runs = 0
+        algorithm.AddObserver("EndEvent", self.note)
+
+    def note(self, algorithm, event):
+        self.runs += 1
+
+
+def small_shear():
+    stepper = vesicle.vtkVesicleStepper()
+    with temporary_folder():
+        stepper.SetSceneFileName("data/scenes/tank-treading.toml")
+        for setting in ("vesicle.triangles=80", "time.end=1.0", "time.output_every=0.25"):
+            stepper.AddOverride(setting)
+        vesicle.update(stepper, 0)
+    return stepper
+
+
+class Curvature(unittest.TestCase):
+    def test_of_a_sphere_that_vtk_moved(self):
+        transform = vtkTransform()
+        transform.Translate(3, 2, 1)
+        transform.Scale(2, 2, 2)
+        move = vtkTransformPolyDataFilter()
+        move.SetTransform(transform)
+        connected(move, sphere(1, 1280))
+        curvature = connected(vesicle.vtkVesicleCurvatureFilter(), connected(vtkCleanPolyData(), move))
+        surface = vesicle.update(curvature)
+        outward = surface.Points - numpy.array([3, 2, 1])
+        radius = numpy.linalg.norm(outward, axis=1)  # above 2: the triangles cut into the sphere
+        numpy.testing.assert_allclose(surface.PointData["Mean_Curvature"] * radius, 1, rtol=1e-3)
+        numpy.testing.assert_allclose(surface.PointData["Gauss_Curvature"] * radius**2, 1, rtol=2e-3)
+        numpy.testing.assert_allclose(surface.PointData["Normals"], outward / radius[:, None],
+                                      atol=1e-3)
+
+    def test_other_arrays_pass_through(self):
+        surface = vesicle.update(sphere())
+        surface.PointData.append(numpy.arange(len(surface.Points)), "Point_Number")
+        surface.CellData.append(numpy.arange(320), "Cell_Number")
+        curvature = vesicle.vtkVesicleCurvatureFilter()
+        curvature.SetInputData(surface.VTKObject)
+        output = vesicle.update(curvature)
+        numpy.testing.assert_array_equal(output.PointData["Point_Number"], numpy.arange(162))
+        numpy.testing.assert_array_equal(output.CellData["Cell_Number"], numpy.arange(320))
+
+    def test_warped_along_its_force(self):
+        source = vesicle.vtkVesicleSource()
+        source.SetShapeByName("prolate")
+        source.SetReducedVolume(0.8)
+        source.SetTriangles(320)
+        curvature = connected(vesicle.vtkVesicleCurvatureFilter(), source)
+        warp = connected(vtkWarpVector(), curvature)
+        warp.SetInputArrayToProcess(0, 0, 0, vtkPolyData.FIELD_ASSOCIATION_POINTS, "Bending_Force")
+        warp.SetScaleFactor(0.01)
+        moved = vesicle.update(warp)
+        before = vesicle.update(curvature)
+        numpy.testing.assert_allclose(moved.Points,
+                                      before.Points + 0.01 * before.PointData["Bending_Force"],
+                                      atol=1e-6)
+
+    def test_runs_only_when_something_changed(self):
+        source = sphere()
+        curvature = connected(vesicle.vtkVesicleCurvatureFilter(), source)
+        runs = Count(curvature)
+        for _ in range(3):
+            vesicle.update(curvature)
+        self.assertEqual(runs.runs, 1)
+        curvature.SetBendingRigidity(curvature.GetBendingRigidity())
+        vesicle.update(curvature)
+        self.assertEqual(runs.runs, 1)
+        curvature.SetBendingRigidity(2)
+        vesicle.update(curvature)
+        source.SetRadius(2)
+        vesicle.update(curvature)
+        self.assertEqual(runs.runs, 3)
+
+    def test_deep_copies_are_on_their_own(self):
+        curvature = connected(vesicle.vtkVesicleCurvatureFilter(), sphere())
+        vesicle.update(curvature)
+        copy = vtkPolyData()
+        copy.DeepCopy(curvature.GetOutput())
+        dataset_adapter.WrapDataObject(copy).PointData["Mean_Curvature"][:] = 7
+        self.assertLess(vesicle.update(curvature).PointData["Mean_Curvature"].max(), 2)
+
+    def test_arrays_share_vtks_memory(self):
+        surface = vesicle.update(connected(vesicle.vtkVesicleCurvatureFilter(), sphere()))
+        surface.PointData["Mean_Curvature"][0] = 7
+        array = surface.VTKObject.GetPointData().GetArray("Mean_Curvature")
+        self.assertEqual(array.GetValue(0), 7)
+
+
+class Stepper(unittest.TestCase):
+    def test_same_time_same_shape_through_a_pipeline(self):
+        stepper = small_shear()
+        self.assertEqual(vesicle.times(stepper), (0, 0.25, 0.5, 0.75, 1))
+        clean = connected(vtkCleanPolyData(), stepper)
+        shapes = [numpy.array(vesicle.update(clean, time).Points) for time in (0, 0.5, 1, 0.5, 0)]
+        numpy.testing.assert_array_equal(shapes[0], shapes[4])
+        numpy.testing.assert_array_equal(shapes[1], shapes[3])
+        self.assertGreater(abs(shapes[0] - shapes[1]).max(), 0.01)
+
+    def test_its_numbers(self):
+        surface = vesicle.update(small_shear(), 0.25)
+        self.assertEqual(surface.FieldData["TimeValue"][0], 0.25)
+        self.assertLess(abs(surface.FieldData["Volume_Drift"][0]), 1e-10)
+        self.assertEqual(surface.PointData["Velocity"].shape, (42, 3))
+
+    def test_starts_from_numpys_mesh(self):
+        start = vesicle.update(small_shear(), 0)
+        mesh = vesicle.make_mesh(start.Points, vesicle.triangles(start))
+        stepper = small_shear()
+        stepper.SetInputData(mesh)
+        numpy.testing.assert_allclose(vesicle.update(stepper, 0).Points, start.Points, atol=1e-13)
+
+    def test_an_observer_follows_and_ends_it(self):
+        stepper = small_shear()
+        times = []
+
+        def note(stepper, event):
+            times.append(stepper.GetStateTime())
+            if len(times) == 2:
+                stepper.SetAbortExecute(1)
+
+        stepper.AddObserver(vesicle.vtkVesicleStepper.StepAcceptedEvent, note)
+        surface = vesicle.update(stepper, 1)
+        self.assertEqual(len(times), 2)
+        self.assertEqual(surface.FieldData["TimeValue"][0], times[-1])
+
+
+if __name__ == "__main__":
+    unittest.main()

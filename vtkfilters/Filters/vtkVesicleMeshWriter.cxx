@@ -1,0 +1,56 @@
+#include "vtkVesicleMeshWriter.h"
+
+#include "MeshFiles.h"
+
+#include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkTriangleFilter.h"
+
+#include <exception>
+
+vtkStandardNewMacro(vtkVesicleMeshWriter);
+
+vtkVesicleMeshWriter::~vtkVesicleMeshWriter()
+{
+  this->SetFileName(nullptr);
+}
+
+int vtkVesicleMeshWriter::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  return 1;
+}
+
+void vtkVesicleMeshWriter::WriteData()
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  if (!this->FileName || !*this->FileName)
+  {
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
+    vtkErrorMacro(<< "no file: set FileName");
+    return;
+  }
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(vtkPolyData::SafeDownCast(this->GetInput()));
+  triangles->PassVertsOff();
+  triangles->PassLinesOff();
+  triangles->Update();
+  try
+  {
+    vesicle::write_mesh(triangles->GetOutput(), this->FileName);
+  }
+  catch (const std::exception& error)
+  {
+    this->SetErrorCode(vtkErrorCode::CannotOpenFileError);
+    vtkErrorMacro(<< error.what());
+  }
+}
+
+void vtkVesicleMeshWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << '\n';
+}

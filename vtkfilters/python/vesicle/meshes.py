@@ -1,0 +1,63 @@
+"""Meshes from and to files and numpy arrays."""
+
+import os
+
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
+from .VesicleFilters import vtkVesicleMeshReader, vtkVesicleMeshWriter
+from .pipeline import Messages
+
+
+def read_mesh(file):
+    """The surface in a .vtu .vtp .vtk .stl .ply .obj or .off file, as triangles: a vtkPolyData.
+    Raises vesicle.Error."""
+    reader = vtkVesicleMeshReader()
+    reader.SetFileName(os.fspath(file))
+    with Messages():
+        reader.Update()
+    return reader.GetOutput()
+
+
+def write_mesh(surface, file):
+    """Writes a vtkPolyData, wrapped as `update` gives it or not, by the file's ending; .vtu, .vtp and
+    .vtk keep the arrays. Raises vesicle.Error."""
+    writer = vtkVesicleMeshWriter()
+    writer.SetFileName(os.fspath(file))
+    writer.SetInputData(getattr(surface, "VTKObject", surface))
+    with Messages():
+        writer.Write()
+
+
+def make_mesh(points, triangles):
+    """A vtkPolyData of n points (array n × 3) and m triangles (array m × 3 of point numbers from 0,
+    counter-clockwise seen from outside). Copies both; points are kept in double precision."""
+    points = numpy.ascontiguousarray(points, dtype=numpy.float64)
+    triangles = numpy.ascontiguousarray(triangles, dtype=numpy.int64)
+    if points.ndim != 2 or points.shape[1] != 3 or triangles.ndim != 2 or triangles.shape[1] != 3:
+        raise ValueError(f"points and triangles must have 3 columns, not shapes {points.shape} "
+                         f"and {triangles.shape}")
+    if triangles.size and not (0 <= triangles.min() and triangles.max() < len(points)):
+        raise ValueError(f"triangles name points {triangles.min()} to {triangles.max()}, but there "
+                         f"are {len(points)}, counted from 0")
+    vtk_points = vtkPoints()
+    vtk_points.SetData(numpy_to_vtk(points, deep=True))
+    cells = vtkCellArray()
+    offsets = numpy.arange(0, triangles.size + 1, 3, dtype=numpy.int64)
+    cells.SetData(numpy_to_vtk(offsets, deep=True), numpy_to_vtk(triangles.ravel(), deep=True))
+    surface = vtkPolyData()
+    surface.SetPoints(vtk_points)
+    surface.SetPolys(cells)
+    return surface
+
+
+def triangles(surface):
+    """The triangles of a vtkPolyData, wrapped or not: an array m × 3 of point numbers. Raises
+    ValueError where there are other polygons (vtkTriangleFilter cuts them)."""
+    polygons = getattr(surface, "VTKObject", surface).GetPolys()
+    corners = vtk_to_numpy(polygons.GetConnectivityArray())
+    if polygons.IsHomogeneous() not in (0, 3):
+        raise ValueError("the surface has polygons other than triangles; use vtkTriangleFilter first")
+    return corners.reshape(-1, 3)

@@ -1,0 +1,83 @@
+"""Running VTK pipelines: what VTK prints becomes exceptions and warnings, data come out as numpy."""
+
+import warnings
+
+from vtkmodules.numpy_interface import dataset_adapter
+from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+
+
+class Error(RuntimeError):
+    """What an algorithm of the pipeline reported by vtkErrorMacro."""
+
+
+def update(algorithm, time=None):
+    """Brings an algorithm, and what is before it in the pipeline, up to date.
+
+    time: the time asked for; None: whatever the pipeline has.
+    Returns the output wrapped by vtkmodules.numpy_interface.dataset_adapter: Points, PointData["…"],
+    CellData["…"] and FieldData["…"] are numpy arrays that share the memory of VTK's;
+    PointData.append(array, name) adds one; VTKObject is the vtkPolyData itself.
+    Raises Error with the first error of any algorithm, whose output is then not to be used, but for
+    the last good state that vtkVesicleStepper has when no step can be made. Warnings of VTK become RuntimeWarnings.
+    """
+    with Messages(algorithm):
+        if time is None:
+            algorithm.Update()
+        else:
+            algorithm.UpdateTimeStep(time)
+    return dataset_adapter.WrapDataObject(algorithm.GetOutputDataObject(0))
+
+
+def times(algorithm):
+    """The times that an algorithm offers (TIME_STEPS), a tuple; empty where it offers none."""
+    with Messages(algorithm):
+        algorithm.UpdateInformation()
+    information = algorithm.GetOutputInformation(0)
+    return information.Get(vtkStreamingDemandDrivenPipeline.TIME_STEPS()) or ()
+
+
+class Messages:
+    """Within `with Messages():` VTK prints nothing. At the end warnings are issued with Python's
+    warnings.warn (RuntimeWarning), and the first error, if there was one, is raised. The algorithm then
+    counts as modified: VTK wouldn't ask it for its information, and so for the error, again."""
+
+    def __init__(self, algorithm=None):
+        self._algorithm = algorithm
+
+    def __enter__(self):
+        self._errors = []
+        self._warnings = []
+        self._before = vtkOutputWindow.GetInstance()
+        self._verbosity = vtkLogger.GetCurrentVerbosityCutoff()
+        window = vtkOutputWindow()
+        window.SetDisplayModeToNever()
+        window.AddObserver("ErrorEvent", _collector(self._errors))
+        window.AddObserver("WarningEvent", _collector(self._warnings))
+        vtkOutputWindow.SetInstance(window)
+        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)  # it prints errors a second time
+        return self
+
+    def __exit__(self, kind, value, traceback):
+        vtkOutputWindow.SetInstance(self._before)
+        vtkLogger.SetStderrVerbosity(self._verbosity)
+        for text in self._warnings:
+            warnings.warn(text, RuntimeWarning, stacklevel=3)
+        if self._errors and self._algorithm:
+            self._algorithm.Modified()
+        if self._errors and kind is None:
+            raise Error(self._errors[0])
+
+
+def _collector(texts):
+    def collect(window, event, text):
+        texts.append(_what_happened(text))
+
+    collect.CallDataType = "string0"
+    return collect
+
+
+def _what_happened(text):
+    """'ERROR: In file, line 12\\nvtkClass (0x55…): what happened\\n\\n' without what only a debugger
+    needs."""
+    return text.split("): ", 1)[-1].strip()
