@@ -190,8 +190,7 @@ RunFile Run::create_checkpoint() const
   header.time_scale = simulation.scales().time();
   header.energy_scale = simulation.scales().energy;
   header.viscosity = simulation.scales().viscosity;
-  const auto& names = Diagnostics::names();
-  header.columns.assign(names.begin(), names.end());
+  header.columns = Diagnostics::names();
   return RunFile::create(folder_.checkpoint(), header);
 }
 

@@ -1,6 +1,7 @@
 #include "apps/RunResume.h"
 
 #include "solver/Errors.h"
+#include "solver/dynamics/Diagnostics.h"
 #include "solver/dynamics/Simulation.h"
 #include "solver/scene/SceneFile.h"
 
@@ -46,6 +47,12 @@ std::string first_difference(
 
 void require_same_scene(const Scene& scene, const RunFile& run, const std::filesystem::path& file)
 {
+  if (run.header().columns != Diagnostics::names())
+  {
+    throw InputError(file.string() +
+      ": was written by another version of the program, with other columns; go on with that "
+      "version, or start anew with --overwrite");
+  }
   const auto now = fixed_lines(scene);
   const auto then = fixed_lines(parse_scene(run.header().scene, file.string()));
   if (now != then)

@@ -2,17 +2,21 @@
 // What is reported of each accepted step: one row of the CSV and of the HDF5 series, in the units
 // of the scene.
 
+#include "solver/mesh/SphericalHarmonics.h"
+
 #include <array>
 #include <optional>
-#include <string_view>
+#include <string>
 #include <vector>
 
 namespace vesicle
 {
 
-/// Values are in the order of diagnostic_names; empty where undefined (degenerate axes).
+/// Values are in the order of the names; empty where undefined (degenerate axes, say).
 struct Diagnostics
 {
+  static constexpr int harmonic_degree = 8;
+
   double step = 0, time = 0, dt = 0;
   double area = 0, volume = 0;
   double area_drift = 0, volume_drift = 0; ///< relative to the target, after the projection
@@ -32,8 +36,11 @@ struct Diagnostics
   double tank_treading_frequency = 0;    ///< angular
   double min_angle_deg = 0, edge_ratio = 0;
   double iterations = 0, rejected = 0;
+  std::array<double, 6> stresslet{}; ///< xx, xy, xz, yy, yz, zz; see Observables.h
+  /// Of the shape about its centroid, in r0, by harmonic_index; none where it isn't star-shaped.
+  std::optional<std::array<double, harmonic_count(harmonic_degree)>> harmonics;
 
-  static const std::vector<std::string_view>& names(); ///< the CSV's header
+  static const std::vector<std::string>& names(); ///< the CSV's header
   std::vector<std::optional<double>> values() const;
 };
 

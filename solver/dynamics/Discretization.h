@@ -62,6 +62,9 @@ public:
 
   virtual ~Discretization() = default;
 
+  /// Integrates over the surface; its nodes are the control points.
+  virtual const BasisTable& table() const = 0;
+
   virtual ShapeOperators shape(const Points& vertices) const = 0;
   virtual Constraints constraints(const Points& vertices) const = 0;
   virtual double bending_energy(const Points& vertices) const = 0;

@@ -32,6 +32,8 @@ public:
   {
   }
 
+  const BasisTable& table() const override { return layer_.table(); }
+
   ShapeOperators shape(const Points& points) const override
   {
     const BasisTable& table = layer_.table();

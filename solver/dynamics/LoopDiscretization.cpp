@@ -47,6 +47,8 @@ public:
     fit_transposed_.compute(transposed);
   }
 
+  const BasisTable& table() const override { return geometry_; }
+
   ShapeOperators shape(const Points& vertices) const override
   {
     ShapeOperators s;

@@ -1,5 +1,7 @@
 #include "solver/dynamics/Observables.h"
 
+#include "solver/mesh/SphericalHarmonics.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <cmath>
@@ -21,29 +23,27 @@ constexpr double vertical_slack = 1e-6;
 
 using Row3 = Eigen::RowVector3d;
 
-// ∫ (x − c)(x − c)ᵀ dV, summed over tetrahedra from the centroid c.
-Eigen::Matrix3d second_moment(const TriangleMesh& mesh, const Vector3& center)
+// n dS at the rows.
+RowVectors area_vectors(const SurfacePoints& surface)
 {
-  Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
-  for (const auto& t : mesh.triangles.rowwise())
-  {
-    const Vector3 a = mesh.points.row(t[0]).transpose() - center,
-                  b = mesh.points.row(t[1]).transpose() - center,
-                  c = mesh.points.row(t[2]).transpose() - center, sum = a + b + c;
-    const double volume = a.dot(b.cross(c)) / 6;
-    moment += volume / 20 *
-      (a * a.transpose() + b * b.transpose() + c * c.transpose() + sum * sum.transpose());
-  }
-  return moment;
+  return surface.cross.rowwise().normalized().array().colwise() * surface.area_weight.array();
+}
+
+RowVectors from_center(const SurfacePoints& surface, const Vector3& center)
+{
+  return surface.position.rowwise() - center.transpose();
 }
 
 }
 
-InertiaEllipsoid inertia_ellipsoid(const TriangleMesh& mesh)
+InertiaEllipsoid inertia_ellipsoid(const SurfacePoints& surface, const Vector3& center)
 {
-  const double volume = flat_volume(mesh);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
-    second_moment(mesh, volume_centroid(mesh)));
+  const RowVectors x = from_center(surface, center);
+  const Eigen::VectorXd flux = x.cwiseProduct(area_vectors(surface)).rowwise().sum(); // x·n dS
+  // ∫ f dV = ∮ f x·n dS/(3 + k) for f homogeneous of degree k.
+  const double volume = flux.sum() / 3;
+  const Eigen::Matrix3d moment = x.transpose() * flux.asDiagonal() * x / 5;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(moment);
   InertiaEllipsoid result;
   for (int i = 0; i < 3; ++i)
   {
@@ -66,6 +66,30 @@ InertiaEllipsoid inertia_ellipsoid(const TriangleMesh& mesh)
     }
   }
   return result;
+}
+
+Eigen::Matrix3d stresslet(const SurfacePoints& surface, const Vector3& center,
+  const RowVectors& force, const Eigen::VectorXd& tension)
+{
+  Eigen::Matrix3d moment = Eigen::Matrix3d::Zero(); // −∮ f x dS but for an isotropic part
+  if (force.rows() > 0)
+    moment -= force.transpose() * surface.area_weight.asDiagonal() * from_center(surface, center);
+  if (tension.size() > 0)
+    moment -= area_vectors(surface).transpose() * tension.asDiagonal() *
+      surface.cross.rowwise().normalized();
+  const Eigen::Matrix3d symmetric = (moment + moment.transpose()) / 2;
+  return symmetric - symmetric.trace() / 3 * Eigen::Matrix3d::Identity();
+}
+
+std::optional<Eigen::VectorXd> harmonic_amplitudes(
+  const SurfacePoints& surface, const Vector3& center, int degree)
+{
+  const RowVectors x = from_center(surface, center);
+  const Eigen::VectorXd flux = x.cwiseProduct(area_vectors(surface)).rowwise().sum();
+  if (flux.minCoeff() <= 0)
+    return std::nullopt;
+  return harmonic_moments(
+    degree, x.rowwise().normalized(), flux.cwiseQuotient(x.rowwise().squaredNorm()));
 }
 
 double tank_treading_frequency(

@@ -113,6 +113,7 @@ struct Simulation::Impl
   void plan_next_step(State& state) const;
   bool overshoots(const State& state) const;
   bool steady(const State& state) const;
+  void add_observables(const State& state, const ShapeOperators& shape, Diagnostics& d) const;
 };
 
 // The next time, in the scene's units, that must be hit exactly.
@@ -152,6 +153,39 @@ bool Simulation::Impl::steady(const State& state) const
   const double speed =
     shape.outward.cwiseProduct(rows_of_three(relative)).rowwise().sum().cwiseAbs().maxCoeff();
   return speed < steady_speed * rate();
+}
+
+// What the field reports of shape and motion.
+void Simulation::Impl::add_observables(
+  const State& state, const ShapeOperators& shape, Diagnostics& d) const
+{
+  const Discretization& operators = stepper.discretization();
+  const BasisTable& table = operators.table();
+  const SurfacePoints surface = evaluate(table, shape.control);
+
+  const InertiaEllipsoid ellipsoid = inertia_ellipsoid(surface, shape.center);
+  d.inclination_deg = ellipsoid.inclination_deg;
+  d.tilt_deg = ellipsoid.tilt_deg;
+  for (int i = 0; i < 3; ++i)
+    d.semi_axes[i] = ellipsoid.semi_axes[i] * scales.length;
+  d.taylor_deformation = (d.semi_axes[0] - d.semi_axes[2]) / (d.semi_axes[0] + d.semi_axes[2]);
+  if (const auto amplitudes = harmonic_amplitudes(surface, shape.center, d.harmonic_degree))
+    std::copy(amplitudes->begin(), amplitudes->end(), d.harmonics.emplace().begin());
+
+  const TriangleMesh mesh{ state.points, start_mesh.triangles };
+  const Vector3 U = shape.centroid_velocity * flat(state.velocity);
+  d.tank_treading_frequency =
+    tank_treading_frequency(mesh, state.velocity, shape.center, U) / scales.time();
+
+  RowVectors bending;
+  if (model.bending)
+    bending = interpolate(table,
+      rows_of_three(operators.to_control(operators.bending_force(shape, state.bending))));
+  Eigen::VectorXd tension;
+  if (model.incompressible)
+    tension = interpolate(table, state.tension);
+  const Eigen::Matrix3d S = scales.energy * stresslet(surface, shape.center, bending, tension);
+  d.stresslet = { S(0, 0), S(0, 1), S(0, 2), S(1, 1), S(1, 2), S(2, 2) };
 }
 
 Simulation::Simulation(const Scene& scene, TriangleMesh start, const std::string& notes)
@@ -337,14 +371,7 @@ Diagnostics Simulation::diagnose(const State& state) const
     d.centroid[c] = shape.center[c] * unit.length;
     d.velocity[c] = U[c] * unit.velocity();
   }
-  const InertiaEllipsoid ellipsoid = inertia_ellipsoid(mesh);
-  d.inclination_deg = ellipsoid.inclination_deg;
-  d.tilt_deg = ellipsoid.tilt_deg;
-  for (int i = 0; i < 3; ++i)
-    d.semi_axes[i] = ellipsoid.semi_axes[i] * unit.length;
-  d.taylor_deformation = (d.semi_axes[0] - d.semi_axes[2]) / (d.semi_axes[0] + d.semi_axes[2]);
-  d.tank_treading_frequency =
-    tank_treading_frequency(mesh, state.velocity, shape.center, U) / unit.time();
+  impl.add_observables(state, shape, d);
   const MeshQuality quality = mesh_quality(mesh);
   d.min_angle_deg = quality.min_angle_deg;
   d.edge_ratio = quality.edge_ratio;

@@ -86,6 +86,22 @@ SurfacePoints evaluate(const BasisTable& table, const Points& nodes)
   return s;
 }
 
+Eigen::VectorXd interpolate(const BasisTable& table, const Eigen::VectorXd& nodal)
+{
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(table.rows());
+  for_each_entry(
+    table, [&](int q, int k) { values[q] += table.value[k] * nodal[table.node[k]]; });
+  return values;
+}
+
+RowVectors interpolate(const BasisTable& table, const Points& nodal)
+{
+  RowVectors values = RowVectors::Zero(table.rows(), 3);
+  for_each_entry(
+    table, [&](int q, int k) { values.row(q) += table.value[k] * nodal.row(table.node[k]); });
+  return values;
+}
+
 SecondDerivatives second_derivatives(const BasisTable& table, const Points& nodes)
 {
   const int rows = table.rows();

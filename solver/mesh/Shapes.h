@@ -2,6 +2,7 @@
 // Start shapes: triangulations of a sphere, ellipsoids, the discocyte and perturbed spheres, of
 // good quality, with the reduced volume that was asked for on the discrete mesh.
 
+#include "solver/mesh/SphericalHarmonics.h"
 #include "solver/mesh/TriangleMesh.h"
 
 #include <array>
@@ -12,7 +13,7 @@
 namespace vesicle
 {
 
-/// One mode of r(θ, φ) = 1 + Σ amplitude Y_lm, orthonormal real Y_lm (m < 0: sin |m|φ).
+/// One mode of r(θ, φ) = 1 + Σ amplitude Y_lm, Y_lm of SphericalHarmonics.h.
 struct ShapeMode
 {
   int l = 2;
@@ -53,8 +54,5 @@ std::string shape_name(ShapeRequest::Kind kind);
 TriangleMesh geodesic_sphere(int n);
 /// The n for which 20 n² is nearest to `triangles`.
 int geodesic_frequency(int triangles);
-
-/// Orthonormal real spherical harmonic at direction (unit vector) d.
-double real_spherical_harmonic(int l, int m, const Vector3& d);
 
 }

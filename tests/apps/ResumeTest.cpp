@@ -1,5 +1,7 @@
 #include "Command.h"
 
+#include "solver/state/RunFile.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -121,6 +123,31 @@ TEST_F(Resume, AnotherSceneIsRefused)
   EXPECT_EQ(thicker.code, 2);
   EXPECT_NE(thicker.errors.find("viscosity"), std::string::npos) << thicker.errors;
   EXPECT_EQ(run({ "time.end=0.1", "--resume" }).code, 2);
+}
+
+TEST_F(Resume, ACheckpointWithOtherColumnsIsRefused)
+{
+  const std::vector<std::string> words{ "run", "pear.toml", "--no-movie", "--set", "time.end=0.1" };
+  ASSERT_EQ(vesicle_command(folder.path(), words).code, 0);
+  const auto file = folder / "pear/pear.h5";
+  RunFile::Header header;
+  State state;
+  std::vector<std::optional<double>> row;
+  {
+    const RunFile run = RunFile::open(file);
+    header = run.header();
+    state = run.state();
+    row = run.series().back();
+  }
+  std::filesystem::remove(file);
+  header.columns.pop_back();
+  row.pop_back();
+  RunFile::create(file, header).append(state, row);
+  auto again = words;
+  again.push_back("--resume");
+  const auto outcome = vesicle_command(folder.path(), again);
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.errors.find("other columns"), std::string::npos) << outcome.errors;
 }
 
 TEST_F(Resume, WithoutARunItStarts)

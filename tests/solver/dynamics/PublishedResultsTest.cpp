@@ -186,6 +186,25 @@ TEST(TankTreading, LoopSurface)
   EXPECT_NEAR(end.tension_max, 6.38, 0.2);
 }
 
+// The nearer a tank-treading vesicle is to a sphere, the more it resists like a rigid one: its
+// intrinsic viscosity S_xz/(μ rate V) tends to Einstein's 5/2 with the excess area A/r0² − 4π.
+TEST(TankTreading, IntrinsicViscosityTendsToEinsteins)
+{
+  double viscosity[2], excess[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    const History run = vesicle::run("tank-treading",
+      { "vesicle.triangles=320", "vesicle.axis=[1, 0, 0.8]", "time.end=5", "time.tolerance=3e-3",
+        i == 0 ? "vesicle.reduced_volume=0.98" : "vesicle.reduced_volume=0.99" });
+    const Diagnostics& end = run.rows.back();
+    viscosity[i] = end.stresslet[2] / end.volume;
+    excess[i] = end.area - 4 * M_PI;
+  }
+  EXPECT_LT(viscosity[0], viscosity[1]);
+  const double slope = (viscosity[1] - viscosity[0]) / (excess[1] - excess[0]);
+  EXPECT_NEAR(viscosity[1] - slope * excess[1], 2.5, 0.025) << viscosity[0] << ", " << viscosity[1];
+}
+
 TEST(InextensibleDrop, ReachesThePapersAngleFromAnyStart)
 {
   for (double start : { 0., 45., 90. })
