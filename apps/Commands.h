@@ -29,5 +29,6 @@ void add_shape_command(CLI::App& app, Action& action);
 void add_curvature_command(CLI::App& app, Action& action);
 void add_info_command(CLI::App& app, Action& action);
 void add_render_command(CLI::App& app, Action& action);
+void add_validate_command(CLI::App& app, Action& action);
 
 }

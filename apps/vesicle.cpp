@@ -64,6 +64,7 @@ int run_command_line(int argc, char** argv)
   add_curvature_command(app, action);
   add_info_command(app, action);
   add_render_command(app, action);
+  add_validate_command(app, action);
   try
   {
     app.parse(argc, argv);

@@ -1,4 +1,6 @@
 #include "solver/stokes/SingleLayer.h"
+
+#include "solver/reference/LayerModes.h"
 #include "tests/solver/support/TestMeshes.h"
 
 #include <Eigen/LU>
@@ -44,40 +46,10 @@ struct Case
   }
 };
 
-// Eigenfunctions of the single layer on the unit sphere (μ = 1) and their eigenvalues. For vector
-// harmonics of order l with the solid harmonic p_l: ∇p = grad Y + l Y n is W_l; V_l = grad Y − (l +
-// 1) Y n.
-struct Mode
-{
-  const char* name;
-  Field field;
-  double eigenvalue;
-};
-
-Vector3 gradient_p2(const Vector3& x) // p = x y
-{
-  return { x.y(), x.x(), 0 };
-}
-
-const Mode modes[] = {
-  { "translation", [](const Vector3&) { return Vector3(1, 2, -1); }, 2. / 3 },
-  { "rotation", [](const Vector3& x) -> Vector3 { return Vector3(1, 2, -1).cross(x); }, 1. / 3 },
-  { "strain",
-    [](const Vector3& x) -> Vector3 {
-      return { x.x(), 2 * x.y(), -3 * x.z() };
-    },
-    1. / 5 },
-  { "toroidal, l = 2", [](const Vector3& x) -> Vector3 { return x.cross(gradient_p2(x)); },
-    1. / 5 },
-  { "V, l = 2", [](const Vector3& x) -> Vector3 { return gradient_p2(x) - 5 * x.x() * x.y() * x; },
-    2. / 35 },
-  { "W, l = 2", gradient_p2, 3. / 15 },
-};
-
 TEST(SingleLayer, SphereEigenvaluesWithOrderTwo)
 {
   const Case coarse(geodesic_sphere(4)), fine(geodesic_sphere(8));
-  for (const Mode& mode : modes)
+  for (const LayerMode& mode : sphere_layer_modes())
   {
     const double e0 = coarse.eigen_error(mode.field, mode.eigenvalue);
     const double e1 = fine.eigen_error(mode.field, mode.eigenvalue);
@@ -89,7 +61,7 @@ TEST(SingleLayer, SphereEigenvaluesWithOrderTwo)
 TEST(SingleLayer, SphereEigenvaluesOnAnIrregularMesh)
 {
   const Case coarse(jittered_sphere(4, 0.25)), fine(jittered_sphere(8, 0.25));
-  for (const Mode& mode : modes)
+  for (const LayerMode& mode : sphere_layer_modes())
   {
     const double e0 = coarse.eigen_error(mode.field, mode.eigenvalue);
     const double e1 = fine.eigen_error(mode.field, mode.eigenvalue);

@@ -12,52 +12,6 @@
 namespace vesicle::test
 {
 
-TriangleMesh mapped(TriangleMesh mesh, const Map& map)
-{
-  for (int i = 0; i < mesh.points.rows(); ++i)
-    mesh.points.row(i) = map(mesh.points.row(i).transpose()).transpose();
-  return mesh;
-}
-
-TriangleMesh smooth_sphere(int triangles)
-{
-  ShapeRequest request;
-  request.triangles = triangles;
-  TriangleMesh mesh = make_shape(request);
-  mesh.points.rowwise().normalize();
-  return mesh;
-}
-
-TriangleMesh jittered_sphere(int n, double fraction)
-{
-  TriangleMesh mesh = geodesic_sphere(n);
-  const double edge = std::sqrt(4 * std::numbers::pi / mesh.triangles.rows() * 4 / std::sqrt(3.));
-  std::mt19937 random(20260101);
-  std::uniform_real_distribution<double> shift(-fraction * edge, fraction * edge);
-  return mapped(mesh,
-    [&](const Vector3& x) -> Vector3
-    {
-      const double a = shift(random), b = shift(random);
-      const Vector3 u = x.unitOrthogonal();
-      return (x + a * u + b * x.cross(u)).normalized();
-    });
-}
-
-Vector3 ellipsoid_2_1_1(const Vector3& d)
-{
-  return { 2 * d.x(), d.y(), d.z() };
-}
-
-Vector3 perturbed_sphere(const Vector3& d)
-{
-  return (1 + 0.2 * real_spherical_harmonic(2, 0, d)) * d;
-}
-
-Vector3 paper_surface(const Vector3& d)
-{
-  return (1 + 0.61 * d.x() + 0.4 * d.x() * d.x() * d.y()) * d;
-}
-
 TriangleMesh clifford_torus(int around, int across)
 {
   TriangleMesh mesh;

@@ -2,9 +2,8 @@
 // Meshes for tests: regular and irregular, spherical and not.
 
 #include "solver/mesh/Shapes.h"
-#include "solver/mesh/TriangleMesh.h"
+#include "solver/reference/SampleMeshes.h"
 
-#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -12,24 +11,13 @@
 namespace vesicle::test
 {
 
-using Map = std::function<Vector3(const Vector3&)>;
-
-/// Every point moved by `map`.
-TriangleMesh mapped(TriangleMesh mesh, const Map& map);
-
-/// A unit sphere with about that many triangles, smooth enough for Loop's surface.
-TriangleMesh smooth_sphere(int triangles);
-
-/// A geodesic sphere with its points shifted along the sphere by up to `fraction` of the mean edge,
-/// by a fixed pseudo-random sequence: triangles of all sizes and angles.
-TriangleMesh jittered_sphere(int n, double fraction);
-
-/// (2 n_x, n_y, n_z), the ellipsoid of data/reference.
-Vector3 ellipsoid_2_1_1(const Vector3& direction);
-/// r = 1 + 0.2 Y20.
-Vector3 perturbed_sphere(const Vector3& direction);
-/// r = 1 + 0.61 n_x + 0.4 n_x² n_y, the smooth variant of the paper's 4.1.
-Vector3 paper_surface(const Vector3& direction);
+using Map = DirectionMap;
+using vesicle::ellipsoid_2_1_1;
+using vesicle::jittered_sphere;
+using vesicle::mapped;
+using vesicle::paper_surface;
+using vesicle::perturbed_sphere;
+using vesicle::smooth_sphere;
 
 /// The Clifford torus, R = √2, r = 1, by a grid of 2 · around · across triangles.
 TriangleMesh clifford_torus(int around, int across);

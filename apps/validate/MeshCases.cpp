@@ -1,0 +1,205 @@
+// Convergence with the number of triangles, from smooth and from irregular start meshes.
+
+#include "apps/validate/Cases.h"
+#include "apps/validate/History.h"
+
+#include "solver/dynamics/Discretization.h"
+#include "solver/mesh/Resample.h"
+#include "solver/mesh/Shapes.h"
+#include "solver/reference/SampleMeshes.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace vesicle::validation
+{
+namespace
+{
+
+// The ellipsoid 2, 1, 1: area, volume and bending energy by quadrature over the meridian.
+struct Measures
+{
+  double area, volume, energy;
+};
+
+Measures exact_measures()
+{
+  const int n = 4000;
+  double area = 0, energy = 0;
+  for (int i = 0; i < n; ++i)
+  {
+    const double theta = std::numbers::pi * (i + 0.5) / n;
+    const double w = std::hypot(2 * std::sin(theta), std::cos(theta));
+    const double strip = 2 * std::numbers::pi * std::sin(theta) * w * std::numbers::pi / n;
+    area += strip;
+    energy += 0.5 * std::pow(2 / (w * w * w) + 2 / w, 2) * strip;
+  }
+  return { area, 8 * std::numbers::pi / 3, energy };
+}
+
+std::unique_ptr<Discretization> discretization_of(const TriangleMesh& mesh, const Model& model)
+{
+  return make_loop_discretization(model, mesh.triangles, static_cast<int>(mesh.points.rows()), 3);
+}
+
+/// Velocity of the normal density `density` at the vertices, as the dynamics compute a load's.
+Points velocity_of(const TriangleMesh& mesh, const Eigen::VectorXd& density)
+{
+  Model model;
+  model.incompressible = false;
+  const auto surface = discretization_of(mesh, model);
+  ShapeOperators shape = surface->shape(mesh.points);
+  const Points columns = density.replicate(1, 3);
+  shape.load = rows_of_three(surface->to_control(flat(columns))).col(0);
+  VelocityResponse response;
+  surface->respond(shape, response);
+  return rows_of_three(response.load);
+}
+
+/// On the unit sphere f = Y n with Y = xy: (W − V)/5, eigenvalues 1/5 and 2/35.
+double layer_error(const TriangleMesh& sphere)
+{
+  const Points& x = sphere.points;
+  const Eigen::VectorXd Y = x.col(0).cwiseProduct(x.col(1));
+  Points gradient(x.rows(), 3);
+  gradient << x.col(1), x.col(0), Eigen::VectorXd::Zero(x.rows());
+  const Points V = gradient - 5 * (x.array().colwise() * Y.array()).matrix();
+  const Points exact = (gradient / 5 - V * 2 / 35) / 5;
+  return (velocity_of(sphere, Y) - exact).norm() / exact.norm();
+}
+
+/// A constant normal density moves nothing, whatever the surface; relative to its velocity where it
+/// is cut in half (about r0/2 per density).
+double pressure_error(const TriangleMesh& mesh)
+{
+  const Points u = velocity_of(mesh, Eigen::VectorXd::Ones(mesh.points.rows()));
+  return std::sqrt(u.squaredNorm() / static_cast<double>(u.rows()));
+}
+
+TriangleMesh projected_sphere(TriangleMesh mesh)
+{
+  mesh.points.rowwise().normalize();
+  return mesh;
+}
+
+TriangleMesh projected_ellipsoid(TriangleMesh mesh)
+{
+  for (int i = 0; i < mesh.points.rows(); ++i)
+  {
+    const Vector3 x = mesh.points.row(i);
+    mesh.points.row(i) /= Vector3(x[0] / 2, x[1], x[2]).norm();
+  }
+  return mesh;
+}
+
+/// Start meshes of the ellipsoid and of the sphere, vertices exactly on them.
+struct Starts
+{
+  TriangleMesh ellipsoid, sphere;
+};
+
+Starts smooth_starts(int triangles)
+{
+  ShapeRequest request;
+  request.kind = ShapeRequest::Kind::ellipsoid;
+  request.semi_axes = { 2, 1, 1 };
+  request.triangles = triangles;
+  return { projected_ellipsoid(make_shape(request)), smooth_sphere(triangles) };
+}
+
+Starts irregular_starts(int triangles)
+{
+  const TriangleMesh rough = delaunay_sphere(jittered_sphere(32, 0.3)); // 20,480 triangles
+  return { projected_ellipsoid(resample(mapped(rough, ellipsoid_2_1_1), triangles).mesh),
+    projected_sphere(resample(rough, triangles).mesh) };
+}
+
+void convergence(Report& report, bool irregular)
+{
+  const Measures exact = exact_measures();
+  const char* names[] = { "area", "volume", "bending energy", "single layer", "pressure" };
+  ChartSpec chart{ irregular ? "Loop surface, irregular mesh resampled"
+                             : "Loop surface, smooth mesh",
+    "triangles", "relative error", {}, true, true };
+  for (const char* name : names)
+    chart.lines.push_back({ name, {}, {} });
+  const int finest = report.full() ? 5120 : 1280;
+  for (int triangles = finest / 16; triangles <= finest; triangles *= 4)
+  {
+    const Starts starts = irregular ? irregular_starts(triangles) : smooth_starts(triangles);
+    const ShapeOperators shape =
+      discretization_of(starts.ellipsoid, Model())->shape(starts.ellipsoid.points);
+    const double errors[] = { std::abs(shape.area / exact.area - 1),
+      std::abs(shape.volume / exact.volume - 1), std::abs(shape.bending_energy / exact.energy - 1),
+      layer_error(starts.sphere), pressure_error(starts.ellipsoid) };
+    for (std::size_t i = 0; i < std::size(errors); ++i)
+    {
+      chart.lines[i].x.push_back(static_cast<double>(starts.ellipsoid.triangles.rows()));
+      chart.lines[i].y.push_back(errors[i]);
+    }
+  }
+  for (const ChartLine& line : chart.lines)
+  {
+    const auto& y = line.y;
+    // O(N⁻²) within 20% over the finer pair.
+    report.add(at_least(line.label + ": order in N", 1.6, std::log(y[1] / y[2]) / std::log(4),
+      fmt::format("errors {:.1e}, {:.1e}, {:.1e} at {}, {}, {} triangles", y[0], y[1], y[2],
+        finest / 16, finest / 4, finest)));
+  }
+  report.chart(irregular ? "convergence-irregular" : "convergence-smooth", { chart });
+}
+
+/// The prolate ellipsoid of the scene's reduced volume from an irregular mesh of 20,480 triangles,
+/// resampled as a user's mesh file is.
+TriangleMesh irregular_start(const Scene& scene)
+{
+  ShapeRequest request = scene.vesicle.shape;
+  request.triangles = 20480;
+  const TriangleMesh fine = make_shape(request); // gives the semi-axes
+  const Eigen::RowVector3d axes = fine.points.colwise().maxCoeff();
+  const TriangleMesh rough = mapped(delaunay_sphere(jittered_sphere(32, 0.3)),
+    [&](const Vector3& d) -> Vector3 { return d.cwiseProduct(axes.transpose()); });
+  Scene from_file = scene;
+  from_file.vesicle.mesh_triangles = scene.vesicle.shape.triangles;
+  from_file.vesicle.mesh_radius = scene.vesicle.radius;
+  const Eigen::Vector3d axis = scene.vesicle.axis;
+  const Eigen::AngleAxisd turn(Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), axis));
+  from_file.vesicle.rotation = std::array{ turn.axis()[0], turn.axis()[1], turn.axis()[2],
+    turn.angle() * 180 / std::numbers::pi };
+  std::string notes;
+  return place_start_mesh(from_file, rough, notes);
+}
+
+void same_from_any_mesh(Report& report)
+{
+  const std::string triangles = fmt::format("vesicle.triangles={}", report.triangles());
+  const Scene pear = scene_of("pear", { triangles });
+  const History smooth = simulate(pear), rough = simulate(pear, irregular_start(pear));
+  report.add(relative("pear: speed U", smooth.end().velocity[2], rough.end().velocity[2], 3e-3));
+  report.add(
+    relative("pear: E/8pi", smooth.end().energy_over_8pi, rough.end().energy_over_8pi, 3e-3));
+  const Scene shear = scene_of("tank-treading", { triangles });
+  const History still = simulate(shear), wild = simulate(shear, irregular_start(shear));
+  report.add(absolute("tank-treading: inclination (deg)", *still.end().inclination_deg,
+    *wild.end().inclination_deg, 0.1));
+  report.add(relative("tank-treading: frequency", still.end().tank_treading_frequency,
+    wild.end().tank_treading_frequency, 5e-3));
+}
+
+}
+
+std::vector<Case> mesh_cases()
+{
+  return { { "convergence/smooth",
+             "Loop surface and single layer on the ellipsoid 2:1:1 and the sphere, smooth meshes",
+             Case::Set::fast, [](Report& report) { convergence(report, false); } },
+    { "convergence/irregular", "The same from jittered meshes of 20,480 triangles, resampled",
+      Case::Set::fast, [](Report& report) { convergence(report, true); } },
+    { "start-mesh/irregular",
+      "Whole runs from a jittered mesh, resampled, beside those from the smooth mesh",
+      Case::Set::full, same_from_any_mesh } };
+}
+
+}

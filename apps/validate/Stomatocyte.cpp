@@ -1,0 +1,79 @@
+#include "apps/validate/Stomatocyte.h"
+
+#include "solver/Errors.h"
+#include "solver/dynamics/Simulation.h"
+#include "solver/mesh/Remesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace vesicle::validation
+{
+namespace
+{
+
+// Half the opening, seen from the centre of the shell: the branch's shapes are narrower, but an
+// open bowl has room for its triangles.
+constexpr double opening = 40 * std::numbers::pi / 180;
+
+/// Point of the meridian at the share s of its length, from the outer pole (bottom) to the inner
+/// one. Middle radius 1, half thickness h.
+Eigen::Vector2d meridian(double h, double s)
+{
+  const double reach = std::numbers::pi - opening; // polar angle of the rim
+  const double outer = (1 + h) * reach, rim = std::numbers::pi * h, inner = (1 - h) * reach;
+  double way = s * (outer + rim + inner);
+  const auto on_circle = [](double radius, double angle) -> Eigen::Vector2d {
+    return { radius * std::sin(angle), -radius * std::cos(angle) };
+  };
+  if (way <= outer)
+    return on_circle(1 + h, way / (1 + h));
+  way -= outer;
+  if (way <= rim)
+  {
+    const double turn = way / h; // 0 outside, π inside
+    return on_circle(1 + h * std::cos(turn), reach) +
+      h * std::sin(turn) * Eigen::Vector2d(std::cos(reach), std::sin(reach));
+  }
+  return on_circle(1 - h, reach - (way - rim) / (1 - h));
+}
+
+TriangleMesh bowl(double h, int triangles)
+{
+  const SphereImage image = [h](const Vector3& d) -> Vector3
+  {
+    const double polar = std::acos(std::clamp(-d.z(), -1., 1.));
+    const Eigen::Vector2d p = meridian(h, polar / std::numbers::pi);
+    const double across = std::hypot(d.x(), d.y());
+    const double scale = across > 0 ? p[0] / across : 0;
+    return { scale * d.x(), scale * d.y(), p[1] };
+  };
+  return surface_mesh(image, uniform_mesh(image, geodesic_frequency(triangles), false));
+}
+
+}
+
+TriangleMesh stomatocyte(const Scene& scene, double v)
+{
+  const int triangles = scene.vesicle.shape.triangles;
+  const auto excess = [&](double h)
+  {
+    const SurfaceMeasures m = surface_measures(scene, bowl(h, triangles));
+    return reduced_volume(m.area, m.volume) - v;
+  };
+  double low = 0.05, high = 0.6; // the thicker, the rounder
+  double h = (low + high) / 2;
+  for (double error = excess(h); std::abs(error) > 1e-6; error = excess(h))
+  {
+    if (high - low < 1e-9)
+      throw InputError("no bowl has this reduced volume");
+    (error > 0 ? high : low) = h;
+    h = (low + high) / 2;
+  }
+  TriangleMesh mesh = bowl(h, triangles);
+  mesh.points *= std::cbrt(4 * std::numbers::pi / (3 * surface_measures(scene, mesh).volume));
+  return mesh;
+}
+
+}
