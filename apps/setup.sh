@@ -14,18 +14,22 @@ setup_packages() {
   done < "$root/apps/packages.txt"
   [ ${#missing[@]} -eq 0 ] && return
 
-  local as_root=()
+  echo "Installing ${missing[*]}"
+  as_root apt-get update -qq
+  as_root apt-get install -y -qq --no-install-recommends "${missing[@]}" > /dev/null
+}
+
+# as_root COMMAND…: by sudo where that is needed.
+as_root() {
+  local sudo=()
   if [ "$(id -u)" -ne 0 ]; then
     command -v sudo > /dev/null || {
-      echo "Missing packages: ${missing[*]}. Install them as root, or install sudo." >&2
+      echo "Root or sudo is needed for: $*" >&2
       return 1
     }
-    as_root=(sudo)
+    sudo=(sudo)
   fi
-  echo "Installing ${missing[*]}"
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update -qq
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-    apt-get install -y -qq --no-install-recommends "${missing[@]}" > /dev/null
+  "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive "$@"
 }
 
 # One job a core, but no more than memory has room for: a VTK or Eigen file takes up to 1.5 GB.

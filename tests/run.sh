@@ -10,4 +10,6 @@ options=(-DBUILD_TESTING=ON)
 setup_build "${options[@]}"
 
 [ $# -eq 0 ] && set -- -LE long
+[ -x "$root/build/paraview/pvpython" ] ||
+  echo "ParaView isn't there: its tests are skipped (bash apps/paraview.sh sets it up)"
 ctest --test-dir "$build" --output-on-failure --parallel "$(nproc)" "$@"

@@ -2,6 +2,8 @@
 
 #include "SharedLibrary.h"
 
+#include <cstdlib>
+
 namespace vesicle
 {
 namespace
@@ -32,8 +34,17 @@ struct EGL
   void* (*get_current_context)();
   void* display;
   void* config;
+  bool ended;
 };
 EGL egl{};
+
+/// Windows may outlive libEGL's driver: ParaView's last until the process ends. From here on
+/// OpenGL's functions do nothing and libEGL isn't called any more.
+void end()
+{
+  egl.make_current(egl.display, nullptr, nullptr, nullptr);
+  egl.ended = true;
+}
 
 bool load_functions(std::string& why_not)
 {
@@ -72,7 +83,8 @@ bool load(std::string& why_not)
   }
   constexpr int attributes[] = { surface_type, pbuffer_bit, renderable_type, opengl_bit, egl_none };
   int count = 0;
-  return egl.choose_config(egl.display, attributes, &egl.config, 1, &count) && count > 0;
+  return egl.choose_config(egl.display, attributes, &egl.config, 1, &count) && count > 0 &&
+    std::atexit(end) == 0; // runs before the libraries loaded so far end
 }
 
 class EGLContext : public OffscreenContext
@@ -82,17 +94,20 @@ public:
 
   ~EGLContext() override
   {
-    release_current();
-    egl.destroy_context(egl.display, context_);
+    if (!egl.ended)
+    {
+      release_current();
+      egl.destroy_context(egl.display, context_);
+    }
   }
 
   bool make_current() override
   {
     // libEGL registers with GLVND's dispatcher itself.
-    return is_current() || egl.make_current(egl.display, nullptr, nullptr, context_);
+    return egl.ended || is_current() || egl.make_current(egl.display, nullptr, nullptr, context_);
   }
 
-  bool is_current() const override { return egl.get_current_context() == context_; }
+  bool is_current() const override { return !egl.ended && egl.get_current_context() == context_; }
 
   void release_current() override
   {

@@ -4,6 +4,7 @@
 #include "SharedLibrary.h"
 
 #include <array>
+#include <cstdlib>
 
 namespace vesicle
 {
@@ -30,8 +31,17 @@ struct OSMesa
   void* (*get_current_context)();
   void* (*get_proc_address)(const char*);
   GLDispatchVendor* vendor;
+  bool ended;
 };
 OSMesa osmesa{};
+
+/// Windows may outlive libOSMesa: ParaView's last until the process ends. From here on OpenGL's
+/// functions do nothing and libOSMesa isn't called any more.
+void end()
+{
+  osmesa.ended = true;
+  osmesa.vendor->release_current();
+}
 
 bool load(std::string& why_not)
 {
@@ -52,7 +62,7 @@ bool load(std::string& why_not)
   }
   osmesa.vendor = GLDispatchVendor::create(
     [](const char* name, void*) { return osmesa.get_proc_address(name); }, why_not);
-  return osmesa.vendor != nullptr;
+  return osmesa.vendor && std::atexit(end) == 0; // runs before the libraries loaded so far end
 }
 
 class OSMesaContext : public OffscreenContext
@@ -62,13 +72,16 @@ public:
 
   ~OSMesaContext() override
   {
-    release_current();
-    osmesa.destroy_context(context_);
+    if (!osmesa.ended)
+    {
+      release_current();
+      osmesa.destroy_context(context_);
+    }
   }
 
   bool make_current() override
   {
-    if (is_current())
+    if (osmesa.ended || is_current())
     {
       return true;
     }
@@ -78,7 +91,7 @@ public:
 
   bool is_current() const override
   {
-    return osmesa.vendor->is_current() && osmesa.get_current_context() == context_;
+    return !osmesa.ended && osmesa.vendor->is_current() && osmesa.get_current_context() == context_;
   }
 
   void release_current() override

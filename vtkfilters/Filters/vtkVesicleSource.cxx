@@ -12,6 +12,7 @@
 #include "vtkPolyData.h"
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -69,6 +70,12 @@ void vtkVesicleSource::AddMode(int l, int m, double amplitude)
 {
   this->Modes->Items.push_back({ l, m, amplitude });
   this->Modified();
+}
+
+void vtkVesicleSource::AddMode(const double mode[3])
+{
+  this->AddMode(
+    static_cast<int>(std::lround(mode[0])), static_cast<int>(std::lround(mode[1])), mode[2]);
 }
 
 void vtkVesicleSource::RemoveAllModes()

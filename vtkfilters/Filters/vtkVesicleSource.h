@@ -111,9 +111,10 @@ public:
   ///@{
   /**
    * Modes of the Perturbed sphere: degree l ≥ 2, order −l ≤ m ≤ l (m < 0: sin |m|φ), amplitude in
-   * units of Radius. Default: none.
+   * units of Radius; or all three in an array, as property panels give them. Default: none.
    */
   void AddMode(int l, int m, double amplitude);
+  void AddMode(const double mode[3]);
   void RemoveAllModes();
   int GetNumberOfModes();
   ///@}
