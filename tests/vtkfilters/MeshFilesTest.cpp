@@ -7,6 +7,7 @@
 
 #include "solver/Errors.h"
 #include "solver/mesh/Shapes.h"
+#include "tests/solver/support/FullDisk.h"
 
 #include "vtkPolyData.h"
 
@@ -60,6 +61,16 @@ TEST_P(MeshFiles, ComeBackAsTheyWere)
     EXPECT_EQ(back.triangles, mesh.triangles);
   }
   EXPECT_TRUE(topology(back).closed);
+}
+
+TEST_P(MeshFiles, AFullDiskIsAnIoErrorAndLeavesNothing)
+{
+  const TemporaryFolder folder;
+  const FullDisk full(500);
+  EXPECT_THROW(
+    write_mesh(to_polydata(geodesic_sphere(8)), folder / (std::string("mesh") + GetParam())),
+    IoError);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 INSTANTIATE_TEST_SUITE_P(

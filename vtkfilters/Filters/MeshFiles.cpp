@@ -151,28 +151,40 @@ vtkSmartPointer<vtkDataSet> read_off(const path& file)
   return to_polydata(parse_off(read_file(file), file.string()));
 }
 
-/// Writes under the unfinished name with VTK's writer, then gives the file its name.
 template<class Writer>
-void write_with(Writer* writer, vtkDataObject* data, const path& file)
+void require_written(bool written, Writer* writer, const VtkMessages& messages, const path& file)
 {
-  const VtkMessages messages;
-  const path unfinished = unfinished_name(file);
-  writer->SetInputDataObject(data);
-  writer->SetFileName(unfinished.c_str());
-  const bool written = writer->Write() != 0;
   if (!written || writer->GetErrorCode() != 0 || messages.any_error())
   {
-    std::error_code ignored;
-    if (unfinished != file)
-    {
-      std::filesystem::remove(unfinished, ignored);
-    }
     const auto code = writer->GetErrorCode();
     throw IoError(
       fmt::format("{}: can't be written: {}; check the folder and the space left", file.string(),
         code != 0 ? vtkErrorCode::GetStringFromErrorCode(code) : messages.first_error()));
   }
-  finish_file(file);
+}
+
+std::string text_of(vtkXMLWriter* writer)
+{
+  return writer->GetOutputString();
+}
+std::string text_of(vtkDataWriter* writer)
+{
+  return writer->GetOutputStdString();
+}
+
+/// Has VTK's writer write to memory: on a full disk some of them crash.
+template<class Writer>
+void write_with(Writer* writer, vtkDataObject* data, const path& file)
+{
+  std::string text;
+  {
+    const VtkMessages messages;
+    writer->SetInputDataObject(data);
+    writer->SetWriteToOutputString(true);
+    require_written(writer->Write() != 0, writer, messages, file);
+    text = text_of(writer);
+  }
+  replace_file(file, text);
 }
 
 template<class Writer>
@@ -185,12 +197,55 @@ void write_xml(vtkDataObject* data, const path& file)
   write_with(writer.Get(), data, file);
 }
 
-template<class Writer>
-void write_binary(vtkPolyData* surface, const path& file)
+void write_legacy(vtkPolyData* surface, const path& file)
 {
-  vtkNew<Writer> writer;
+  vtkNew<vtkPolyDataWriter> writer;
   writer->SetFileTypeToBinary();
   write_with(writer.Get(), surface, file);
+}
+
+/// For writers that can't write to memory: to the unfinished name, then the file gets its own. Not
+/// all of them notice a full disk, but the file then has fewer bytes than its numbers take.
+template<class Writer>
+void write_binary(vtkPolyData* surface, const path& file, vtkIdType least_bytes)
+{
+  const VtkMessages messages;
+  const path unfinished = unfinished_name(file);
+  vtkNew<Writer> writer;
+  writer->SetFileTypeToBinary();
+  writer->SetInputData(surface);
+  writer->SetFileName(unfinished.c_str());
+  try
+  {
+    require_written(writer->Write() != 0, writer.Get(), messages, file);
+    std::error_code unknown;
+    const auto bytes = std::filesystem::file_size(unfinished, unknown);
+    if (!unknown && bytes < static_cast<std::uintmax_t>(least_bytes))
+    {
+      throw IoError(file.string() + ": can't be written: no space left");
+    }
+  }
+  catch (const IoError&)
+  {
+    std::error_code ignored;
+    if (unfinished != file)
+    {
+      std::filesystem::remove(unfinished, ignored);
+    }
+    throw;
+  }
+  finish_file(file);
+}
+
+void write_stl(vtkPolyData* surface, const path& file)
+{
+  write_binary<vtkSTLWriter>(surface, file, 50 * surface->GetNumberOfPolys());
+}
+
+void write_ply(vtkPolyData* surface, const path& file)
+{
+  write_binary<vtkPLYWriter>(
+    surface, file, 12 * surface->GetNumberOfPoints() + 13 * surface->GetNumberOfPolys());
 }
 
 struct Format
@@ -207,9 +262,9 @@ const std::map<std::string, Format>& formats()
         [](vtkPolyData* surface, const path& file)
         { write_xml<vtkXMLUnstructuredGridWriter>(to_unstructured_grid(surface), file); } } },
     { ".vtp", { read_by<vtkXMLPolyDataReader>, write_xml<vtkXMLPolyDataWriter> } },
-    { ".vtk", { read_by<vtkDataSetReader>, write_binary<vtkPolyDataWriter> } },
-    { ".stl", { read_by<vtkSTLReader>, write_binary<vtkSTLWriter> } },
-    { ".ply", { read_by<vtkPLYReader>, write_binary<vtkPLYWriter> } },
+    { ".vtk", { read_by<vtkDataSetReader>, write_legacy } },
+    { ".stl", { read_by<vtkSTLReader>, write_stl } },
+    { ".ply", { read_by<vtkPLYReader>, write_ply } },
     { ".obj",
       { read_obj,
         [](vtkPolyData* surface, const path& file)

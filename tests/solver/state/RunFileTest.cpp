@@ -1,14 +1,13 @@
 #include "TestRun.h"
 
 #include "solver/Errors.h"
+#include "tests/solver/support/FullDisk.h"
 
 #include <gtest/gtest.h>
 #include <hdf5.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -306,15 +305,12 @@ TEST_F(RunFileTest, FullDiskHurtsNothingThatWasSaved)
   {
     run.append(state(i), row(i));
   }
-  // The next row needs a larger file. A limit on file sizes stands for the full disk.
-  ::signal(SIGXFSZ, SIG_IGN);
-  rlimit old{};
-  ::getrlimit(RLIMIT_FSIZE, &old);
-  rlimit small = old;
-  small.rlim_cur = std::filesystem::file_size(file);
-  ::setrlimit(RLIMIT_FSIZE, &small);
-  const std::string error = io_error_of([&] { run.append(state(256), row(256)); });
-  ::setrlimit(RLIMIT_FSIZE, &old);
+  // The next row needs a larger file.
+  std::string error;
+  {
+    const test::FullDisk full(std::filesystem::file_size(file));
+    error = io_error_of([&] { run.append(state(256), row(256)); });
+  }
 
   EXPECT_TRUE(has(error, "can't be written: ")) << error;
   EXPECT_FALSE(std::filesystem::exists(folder / "run.h5.part"));
