@@ -77,7 +77,7 @@ std::vector<path> RunFolder::leftovers() const
   }
   const auto add = [&](const std::vector<path>& files)
   { found.insert(found.end(), files.begin(), files.end()); };
-  add(matching(folder_ / "frames", std::regex(literally(name_) + R"(_\d{6,}(\.part)?\.vtu)")));
+  add(matching(folder_ / "frames", std::regex(literally(name_) + R"(_\d{6,}(\.part)?\.(vtu|h5))")));
   add(matching(pictures(), std::regex(R"(frame_\d{6,}\.png)")));
   add(matching(plots(), std::regex(R"([a-z]+\.png)")));
   return found;

@@ -135,7 +135,19 @@ Shape shape_of(hid_t dataset, const std::string& name)
   return shape;
 }
 
-// Without the time of its making, so that equal runs give equal bytes.
+std::vector<std::string> names_in(hid_t group)
+{
+  std::vector<std::string> names;
+  const auto add = [](hid_t, const char* name, const H5L_info_t*, void* list) -> herr_t
+  {
+    static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+    return 0;
+  };
+  check(H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names), "can't list a group");
+  return names;
+}
+
+// Without the time of their making, so that equal runs give equal bytes.
 Handle create_dataset_of(hid_t parent, const std::string& name, const Shape& shape, hid_t type,
   const void* fill, hid_t fill_type)
 {
@@ -153,6 +165,26 @@ Handle create_dataset_of(hid_t parent, const std::string& name, const Shape& sha
     ? scalar_space()
     : Handle(
         H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose, what);
+  return { H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT),
+    H5Dclose, what };
+}
+
+Handle create_compressed_dataset_of(
+  hid_t parent, const std::string& name, const Shape& shape, hid_t type)
+{
+  constexpr unsigned level = 4;
+  if (std::find(shape.begin(), shape.end(), 0) != shape.end())
+  {
+    return create_dataset_of(parent, name, shape, type, nullptr, type); // no chunk of nothing
+  }
+  const std::string what = "can't create " + name;
+  const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, what);
+  const int rank = static_cast<int>(shape.size());
+  check(H5Pset_chunk(properties, rank, shape.data()), what);
+  check(H5Pset_shuffle(properties), what);
+  check(H5Pset_deflate(properties, level), what);
+  check(H5Pset_obj_track_times(properties, false), what);
+  const Handle space(H5Screate_simple(rank, shape.data(), nullptr), H5Sclose, what);
   return { H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, properties, H5P_DEFAULT),
     H5Dclose, what };
 }
@@ -260,7 +292,11 @@ Handle create_in_memory()
   const bool on_disk = false;
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file in memory");
   check(H5Pset_fapl_core(access, growth, on_disk), "file in memory");
-  return { H5Fcreate("run file in memory", H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose,
+  const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "file in memory");
+  const unsigned chunks =
+    1; // half of what a dataset's index has room for: by default it takes 3 KB
+  check(H5Pset_istore_k(creation, chunks), "file in memory");
+  return { H5Fcreate("file in memory", H5F_ACC_TRUNC, creation, access), H5Fclose,
     "file in memory" };
 }
 

@@ -96,12 +96,17 @@ Handle create_group(hid_t parent, const std::string& name);
 Handle open_group(hid_t parent, const std::string& name);
 Handle open_dataset(hid_t parent, const std::string& name);
 Shape shape_of(hid_t dataset, const std::string& name);
+/// What stands in a group, in alphabetical order.
+std::vector<std::string> names_in(hid_t group);
 
 /// A dataset in one piece whose place in the file is settled at once: writing to it later touches
 /// nothing but its numbers.
 template<class T>
 Handle create_dataset(hid_t parent, const std::string& name, const Shape& shape,
   const std::optional<T>& fill = std::nullopt);
+/// A dataset in one compressed chunk, to be written as a whole.
+template<class T>
+Handle create_compressed_dataset(hid_t parent, const std::string& name, const Shape& shape);
 template<class T>
 void write(hid_t dataset, const T* values, const std::string& name);
 /// Writes the single element `index` of a dataset of rank 1.
@@ -122,7 +127,7 @@ void write_attribute(hid_t object, const std::string& name, const std::string& t
 std::vector<std::string> read_text_attribute(hid_t object, const std::string& name);
 bool has_attribute(hid_t object, const std::string& name);
 
-/// A file that is built in memory.
+/// A file that is built in memory; it has room for datasets of one chunk each.
 Handle create_in_memory();
 /// The bytes that a file would have on disk.
 std::vector<char> image_of(hid_t file);
@@ -131,6 +136,8 @@ std::vector<char> image_of(hid_t file);
 
 Handle create_dataset_of(hid_t parent, const std::string& name, const Shape& shape, hid_t type,
   const void* fill, hid_t fill_type);
+Handle create_compressed_dataset_of(
+  hid_t parent, const std::string& name, const Shape& shape, hid_t type);
 void write_attribute_of(
   hid_t object, const std::string& name, hid_t stored, hid_t memory, const void* value);
 void read_attribute_of(hid_t object, const std::string& name, hid_t memory, void* value);
@@ -141,6 +148,12 @@ Handle create_dataset(
 {
   return create_dataset_of(
     parent, name, shape, file_type<T>(), fill ? &*fill : nullptr, memory_type<T>());
+}
+
+template<class T>
+Handle create_compressed_dataset(hid_t parent, const std::string& name, const Shape& shape)
+{
+  return create_compressed_dataset_of(parent, name, shape, file_type<T>());
 }
 
 template<class T>

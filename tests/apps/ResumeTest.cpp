@@ -1,12 +1,15 @@
 #include "Command.h"
 
+#include "solver/state/FrameFile.h"
 #include "solver/state/RunFile.h"
+#include "vtkfilters/Filters/SeriesFile.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <csignal>
 #include <optional>
+#include <regex>
 
 #include <unistd.h>
 
@@ -55,6 +58,22 @@ protected:
     return std::count(text.begin(), text.end(), '\n') - 1;
   }
 
+  /// What the .xdmf file lists is there, as many frames as in the .pvd file or one less or more.
+  void expect_valid_xdmf(const std::string& output) const
+  {
+    const std::string text = bytes_of(folder / (output + "/pear.xdmf"));
+    const std::regex points(R"(<Geometry[^>]*><DataItem[^>]*>([^:]+):/points<)");
+    std::size_t frames = 0;
+    for (std::sregex_iterator match(text.begin(), text.end(), points), end; match != end; ++match)
+    {
+      EXPECT_EQ(read_frame_layout(folder / output / (*match)[1].str()).triangles, 320);
+      ++frames;
+    }
+    EXPECT_NEAR(
+      static_cast<double>(read_series(folder / (output + "/pear.pvd")).size()), frames, 1);
+    EXPECT_TRUE(text.ends_with("</Xdmf>\n"));
+  }
+
   void expect_same_files(const std::string& a, const std::string& b) const
   {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / a))
@@ -90,6 +109,7 @@ TEST_F(Resume, InterruptedKilledAndUninterruptedRunsAreTheSameToTheByte)
   expect_same_files("straight", "stopped");
 
   EXPECT_EQ(interrupt("killed", SIGKILL, 20), 128 + SIGKILL);
+  expect_valid_xdmf("killed");
   outcome = vesicle_command(folder.path(), arguments("killed", "--resume"));
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   expect_same_files("straight", "killed");

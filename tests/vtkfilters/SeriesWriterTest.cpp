@@ -7,6 +7,7 @@
 
 #include "solver/Errors.h"
 #include "solver/mesh/Shapes.h"
+#include "tests/solver/support/FullDisk.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -15,7 +16,9 @@
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkXMLDataElement.h"
 #include "vtkXMLUnstructuredGridReader.h"
+#include "vtkXMLUtilities.h"
 
 #include <gtest/gtest.h>
 
@@ -55,6 +58,28 @@ void expect_series(const std::filesystem::path& file, const std::vector<double>&
   }
 }
 
+/// Times, and that the files named hold what is said of them.
+void expect_xdmf(const std::filesystem::path& file, const std::vector<double>& times)
+{
+  const auto root =
+    vtk::TakeSmartPointer(vtkXMLUtilities::ReadElementFromString(read_file(file).c_str()));
+  ASSERT_TRUE(root);
+  auto* collection = root->FindNestedElementWithName("Domain")->FindNestedElementWithName("Grid");
+  ASSERT_EQ(collection->GetNumberOfNestedElements(), static_cast<int>(times.size()));
+  for (std::size_t i = 0; i < times.size(); ++i)
+  {
+    auto* grid = collection->GetNestedElement(static_cast<int>(i));
+    double time = -1;
+    grid->FindNestedElementWithName("Time")->GetScalarAttribute("Value", time);
+    EXPECT_EQ(time, times[i]);
+    const std::string points = grid->FindNestedElementWithName("Geometry")
+                                 ->FindNestedElementWithName("DataItem")
+                                 ->GetCharacterData();
+    const auto frame = file.parent_path() / points.substr(0, points.find(':'));
+    EXPECT_EQ(read_frame_layout(frame).points, 42) << frame;
+  }
+}
+
 }
 
 TEST(SeriesWriter, IsValidAfterEveryFrame)
@@ -68,7 +93,30 @@ TEST(SeriesWriter, IsValidAfterEveryFrame)
     times.push_back(time);
     expect_series(series.pvd_file(), times);
     expect_series(series.series_file(), times);
+    expect_xdmf(series.xdmf_file(), times);
   }
+}
+
+TEST(SeriesWriter, AFullDiskLeavesTheSeriesAsItWas)
+{
+  const TemporaryFolder folder;
+  SeriesWriter series(folder.path(), "run");
+  series.append(surface(), 0);
+  for (const rlim_t bytes : { 2000, 6000 }) // less than the frame's files take, and than one does
+  {
+    {
+      const FullDisk full(bytes);
+      EXPECT_THROW(series.append(surface(), 1), IoError);
+    }
+    expect_series(series.series_file(), { 0 });
+    expect_xdmf(series.xdmf_file(), { 0 });
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.path()))
+    {
+      EXPECT_EQ(entry.path().string().find(".part"), std::string::npos) << entry.path();
+    }
+  }
+  series.append(surface(), 1);
+  expect_xdmf(series.xdmf_file(), { 0, 1 });
 }
 
 TEST(SeriesWriter, FramesAreGridsInDoublePrecisionThatKnowTheirTime)
@@ -96,10 +144,14 @@ TEST(SeriesWriter, KeepsAndGoesOn)
   SeriesWriter second(folder.path(), "run");
   second.keep(2);
   expect_series(second.pvd_file(), { 0.0, 0.1 });
-  EXPECT_FALSE(std::filesystem::exists(folder / "frames/run_000002.vtu"));
-  EXPECT_FALSE(std::filesystem::exists(folder / "frames/run_000003.vtu"));
+  expect_xdmf(second.xdmf_file(), { 0.0, 0.1 });
+  for (const char* name : { "run_000002.vtu", "run_000003.vtu", "run_000002.h5", "run_000003.h5" })
+  {
+    EXPECT_FALSE(std::filesystem::exists(folder / "frames" / name));
+  }
   second.append(surface(), 0.3);
   expect_series(second.series_file(), { 0.0, 0.1, 0.3 });
+  expect_xdmf(second.xdmf_file(), { 0.0, 0.1, 0.3 });
 }
 
 TEST(SeriesWriter, MissingFramesAreNoticed)
@@ -108,7 +160,7 @@ TEST(SeriesWriter, MissingFramesAreNoticed)
   SeriesWriter series(folder.path(), "run");
   series.append(surface(), 0);
   EXPECT_THROW(SeriesWriter(folder.path(), "run").keep(2), InputError);
-  std::filesystem::remove(folder / "frames/run_000000.vtu");
+  std::filesystem::remove(folder / "frames/run_000000.h5");
   EXPECT_THROW(SeriesWriter(folder.path(), "run").keep(1), InputError);
 }
 

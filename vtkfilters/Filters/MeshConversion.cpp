@@ -18,6 +18,30 @@
 
 namespace vesicle
 {
+namespace
+{
+
+std::vector<FrameArray> to_frame_arrays(vtkFieldData* data)
+{
+  std::vector<FrameArray> arrays;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data->GetArray(i); // nullptr: not numbers
+    if (!array || !array->GetName())
+    {
+      continue;
+    }
+    FrameArray::Values values(array->GetNumberOfTuples(), array->GetNumberOfComponents());
+    for (Eigen::Index row = 0; row < values.rows(); ++row)
+    {
+      array->GetTuple(row, values.row(row).data());
+    }
+    arrays.push_back({ array->GetName(), std::move(values) });
+  }
+  return arrays;
+}
+
+}
 
 TriangleMesh to_mesh(vtkPolyData* surface)
 {
@@ -93,6 +117,12 @@ vtkSmartPointer<vtkDoubleArray> to_array(const std::string& name, const Eigen::M
     }
   }
   return array;
+}
+
+Frame to_frame(vtkPolyData* surface, double time)
+{
+  return { time, to_mesh(surface), to_frame_arrays(surface->GetPointData()),
+    to_frame_arrays(surface->GetCellData()), to_frame_arrays(surface->GetFieldData()) };
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> to_unstructured_grid(vtkPolyData* surface)

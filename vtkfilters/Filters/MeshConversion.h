@@ -4,6 +4,7 @@
 #include "VesicleFiltersModule.h"
 
 #include "solver/mesh/TriangleMesh.h"
+#include "solver/state/FrameFile.h"
 
 #include "vtkSmartPointer.h"
 
@@ -28,6 +29,10 @@ VESICLEFILTERS_EXPORT vtkSmartPointer<vtkCellArray> to_cells(const Triangles& tr
 /// One tuple a row.
 VESICLEFILTERS_EXPORT vtkSmartPointer<vtkDoubleArray> to_array(
   const std::string& name, const Eigen::MatrixXd& values);
+
+/// The same triangles and arrays as a frame for an HDF5 file, all numbers in double precision;
+/// arrays that aren't numbers or have no name are left out.
+VESICLEFILTERS_EXPORT Frame to_frame(vtkPolyData* surface, double time);
 
 /// The same triangles and arrays as an unstructured grid, which more programs read. Field data that
 /// aren't numbers are left out: some readers stop at them.

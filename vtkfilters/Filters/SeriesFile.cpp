@@ -71,13 +71,13 @@ std::vector<SeriesFrame> read_pvd(const path& file)
   return frames;
 }
 
+}
+
 std::string xml_text(const std::string& text)
 {
   std::ostringstream encoded;
   vtkXMLUtilities::EncodeString(text.c_str(), VTK_ENCODING_UTF_8, encoded, VTK_ENCODING_UTF_8, 1);
   return encoded.str();
-}
-
 }
 
 bool is_series(const path& file)

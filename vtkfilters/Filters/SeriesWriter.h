@@ -4,16 +4,19 @@
 #include "VesicleFiltersModule.h"
 
 #include "SeriesFile.h"
+#include "XdmfFile.h"
 
 class vtkPolyData;
 
 namespace vesicle
 {
 
-/// DIR/frames/NAME_000000.vtu, …, listed in DIR/NAME.pvd and DIR/NAME.vtu.series. What is on the
-/// disk is a valid series after every frame, also if the program is killed in between. Frames are
-/// unstructured grids of triangles in double precision: appended raw data, zlib, 64-bit headers,
-/// numeric field data. All functions throw IoError naming the file that can't be written.
+/// DIR/frames/NAME_000000.vtu, …, listed in DIR/NAME.pvd and DIR/NAME.vtu.series, and the same
+/// frames as DIR/frames/NAME_000000.h5, …, listed in DIR/NAME.xdmf. What is on the disk is a valid
+/// series after every frame, also if the program is killed in between: a frame's file is there as a
+/// whole before it is listed. Frames are unstructured grids of triangles in double precision:
+/// inline binary data, zlib, 64-bit headers, numeric field data; or HDF5 (FrameFile.h). All
+/// functions throw IoError naming the file that can't be written.
 class VESICLEFILTERS_EXPORT SeriesWriter
 {
 public:
@@ -31,15 +34,17 @@ public:
   std::vector<std::filesystem::path> files() const;
   std::filesystem::path pvd_file() const;
   std::filesystem::path series_file() const;
+  std::filesystem::path xdmf_file() const;
 
 private:
-  std::filesystem::path frame_name(std::size_t index) const;
+  std::filesystem::path frame_name(std::size_t index, const char* ending) const;
   void list_frames() const;
   void remove_frames_from(std::size_t index) const;
 
   std::filesystem::path folder_;
   std::string name_;
   std::vector<SeriesFrame> frames_;
+  std::vector<XdmfFrame> xdmf_frames_; ///< the same
 };
 
 }
