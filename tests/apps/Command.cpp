@@ -92,9 +92,12 @@ Outcome vesicle_command(
   return outcome_of(VESICLE_COMMAND, folder, arguments);
 }
 
-Outcome python(const std::filesystem::path& folder, const std::string& script)
+Outcome python_file(const std::filesystem::path& folder, const std::filesystem::path& script,
+  const std::vector<std::string>& arguments)
 {
-  return outcome_of("/usr/bin/python3", folder, { "-c", script });
+  std::vector<std::string> words{ "-B", script.string() }; // -B: leave nothing beside the scripts
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return outcome_of("/usr/bin/python3", folder, words);
 }
 
 void write_scene_file(const std::filesystem::path& folder)

@@ -43,7 +43,8 @@ struct Outcome
 Outcome vesicle_command(
   const std::filesystem::path& folder, const std::vector<std::string>& arguments);
 /// Runs Debian's Python with this script; exit code 77 stands for a missing module.
-Outcome python(const std::filesystem::path& folder, const std::string& script);
+Outcome python_file(const std::filesystem::path& folder, const std::filesystem::path& script,
+  const std::vector<std::string>& arguments);
 
 /// A scene of a few seconds at most; writes it as pear.toml.
 void write_scene_file(const std::filesystem::path& folder);

@@ -1,4 +1,4 @@
-// Other programs read what a run leaves behind.
+// Other programs read what a run leaves behind: each script of readers/ is a test.
 
 #include "Command.h"
 
@@ -11,65 +11,43 @@ namespace
 
 constexpr int module_missing = 77;
 
-/// Runs the script beside a finished run.
-Outcome read_with_python(const std::string& script)
+/// One run for all scripts.
+class OutputReaders : public testing::TestWithParam<const char*>
 {
-  const TemporaryFolder folder;
-  write_scene_file(folder.path());
-  const auto run = vesicle_command(
-    folder.path(), { "run", "pear.toml", "--no-movie", "--quiet", "--set", "time.end=0.2" });
-  EXPECT_EQ(run.code, 0) << run.errors;
+protected:
+  static void SetUpTestSuite()
+  {
+    folder = new TemporaryFolder;
+    write_scene_file(folder->path());
+    run = vesicle_command(
+      folder->path(), { "run", "pear.toml", "--no-movie", "--quiet", "--set", "time.end=0.2" });
+  }
+  static void TearDownTestSuite() { delete folder; }
+
+  inline static TemporaryFolder* folder = nullptr;
+  inline static Outcome run;
+};
+
+}
+
+TEST_P(OutputReaders, AreContent)
+{
+  ASSERT_EQ(run.code, 0) << run.errors;
   EXPECT_EQ(run.output, "");
-  return python(folder.path(), script);
-}
-
-}
-
-TEST(Meshio, ReadsEveryFrame)
-{
-  const auto outcome = read_with_python(R"(
-import sys, glob
-try:
-    import meshio
-except ImportError:
-    sys.exit(77)
-files = sorted(glob.glob('pear/frames/*.vtu'))
-assert len(files) == 3, files
-for i, file in enumerate(files):
-    mesh = meshio.read(file)
-    assert mesh.points.dtype == 'float64' and len(mesh.points) == 42
-    assert len(mesh.cells_dict['triangle']) == 80
-    assert mesh.point_data['Velocity'].shape == (42, 3)
-    assert abs(mesh.field_data['TimeValue'][0] - 0.1 * i) < 1e-12 if 'TimeValue' in mesh.field_data else True
-)");
+  const auto outcome = python_file(folder->path(),
+    std::filesystem::path(VESICLE_SOURCE_DIR) / "tests/apps/readers" /
+      (std::string(GetParam()) + ".py"),
+    { VESICLE_COMMAND });
   if (outcome.code == module_missing)
   {
-    GTEST_SKIP() << "no meshio";
+    GTEST_SKIP() << outcome.errors;
   }
   EXPECT_EQ(outcome.code, 0) << outcome.errors;
 }
 
-TEST(H5py, ReadsTheRunFile)
-{
-  const auto outcome = read_with_python(R"(
-import sys, csv
-try:
-    import h5py
-except ImportError:
-    sys.exit(77)
-rows = list(csv.DictReader(open('pear/pear.csv')))
-with h5py.File('pear/pear.h5', 'r') as run:
-    assert run['triangles'].shape == (80, 3)
-    time = run['series/time'][:]
-    assert len(time) == len(rows), (len(time), len(rows))
-    assert all(float(row['time']) == t for row, t in zip(rows, time))
-    assert run.attrs['length_scale'] > 0
-)");
-  if (outcome.code == module_missing)
-  {
-    GTEST_SKIP() << "no h5py";
-  }
-  EXPECT_EQ(outcome.code, 0) << outcome.errors;
-}
+INSTANTIATE_TEST_SUITE_P(Scripts, OutputReaders,
+  testing::Values("times", "finite", "meshio_frames", "meshio_series", "meshio_round_trip",
+    "h5py_files", "vtk_readers"),
+  [](const auto& test) { return std::string(test.param); });
 
 }
