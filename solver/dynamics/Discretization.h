@@ -82,6 +82,11 @@ public:
   virtual Eigen::VectorXd tension_force(
     const ShapeOperators& shape, const Eigen::VectorXd& gamma) const = 0;
   virtual Eigen::VectorXd load_force(const ShapeOperators& shape) const = 0;
+  /// ∮ f·v dS for the forces of bending and tension (φ and γ may be empty), and for gravity's, v
+  /// given at the vertices.
+  virtual double membrane_power(const ShapeOperators& shape, const Eigen::VectorXd& phi,
+    const Eigen::VectorXd& gamma, const Eigen::VectorXd& velocity) const = 0;
+  virtual double load_power(const ShapeOperators& shape, const Eigen::VectorXd& velocity) const = 0;
   /// A nodal scalar's values at the vertices: N.
   virtual Eigen::VectorXd at_vertices(const Eigen::VectorXd& nodal) const = 0;
 };

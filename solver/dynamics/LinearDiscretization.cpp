@@ -119,9 +119,30 @@ public:
     return s.tension_force * gamma;
   }
   Eigen::VectorXd load_force(const ShapeOperators& s) const override { return s.load; }
+  double membrane_power(const ShapeOperators& s, const Eigen::VectorXd& phi,
+    const Eigen::VectorXd& gamma, const Eigen::VectorXd& velocity) const override
+  {
+    double power = 0;
+    if (phi.size() > 0)
+      power += nodal_power(s, bending_force(s, phi), velocity);
+    if (gamma.size() > 0)
+      power += nodal_power(s, tension_force(s, gamma), velocity);
+    return power;
+  }
+  double load_power(const ShapeOperators& s, const Eigen::VectorXd& velocity) const override
+  {
+    return nodal_power(s, s.load, velocity);
+  }
   Eigen::VectorXd at_vertices(const Eigen::VectorXd& nodal) const override { return nodal; }
 
 private:
+  // Densities are nodal forces over the nodes' areas.
+  static double nodal_power(
+    const ShapeOperators& s, const Eigen::VectorXd& density, const Eigen::VectorXd& velocity)
+  {
+    return scaled_rows(rows_of_three(density), s.vertex_area).dot(velocity);
+  }
+
   NormalScheme normals() const
   {
     return model_.robust() ? NormalScheme::area_weighted : NormalScheme::curvature;

@@ -168,14 +168,27 @@ public:
   Eigen::VectorXd tension_force(
     const ShapeOperators& s, const Eigen::VectorXd& gamma) const override
   {
-    // The density's nodal values by lumping: for output and power only, the dynamics use it
-    // pointwise.
+    // The density's nodal values by lumping: for output only, the dynamics use it pointwise.
     const Eigen::VectorXd nodal = -(s.area_rate.transpose() * gamma);
     return scaled_rows(rows_of_three(nodal), s.vertex_area.cwiseInverse());
   }
   Eigen::VectorXd load_force(const ShapeOperators& s) const override
   {
     return scaled_rows(s.outward, at_vertices(s.load));
+  }
+  double membrane_power(const ShapeOperators& s, const Eigen::VectorXd& phi,
+    const Eigen::VectorXd& gamma, const Eigen::VectorXd& velocity) const override
+  {
+    double power = 0;
+    if (phi.size() > 0)
+      power += normal_power(s, phi, velocity);
+    if (gamma.size() > 0) // ∮ f·v dS = −∮ γ ∇_s·v dS
+      power -= gamma.dot(s.area_rate * to_control(velocity));
+    return power;
+  }
+  double load_power(const ShapeOperators& s, const Eigen::VectorXd& velocity) const override
+  {
+    return normal_power(s, s.load, velocity);
   }
   Eigen::VectorXd at_vertices(const Eigen::VectorXd& nodal) const override { return P_ * nodal; }
 
@@ -184,6 +197,15 @@ private:
   Eigen::VectorXd from_control(const Eigen::VectorXd& gradient) const
   {
     return solve(fit_transposed_, gradient);
+  }
+
+  // ∮ p n·v dS for a nodal p.
+  double normal_power(
+    const ShapeOperators& s, const Eigen::VectorXd& nodal, const Eigen::VectorXd& velocity) const
+  {
+    const SurfacePoints surface = evaluate(geometry_, s.control);
+    const Eigen::VectorXd density = interpolate(geometry_, nodal);
+    return normal_load(geometry_, surface, density).dot(to_control(velocity));
   }
 
   static Eigen::VectorXd solve(

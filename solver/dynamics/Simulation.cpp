@@ -331,31 +331,15 @@ Diagnostics Simulation::diagnose(const State& state) const
                    .maxCoeff();
   d.reduced_volume = reduced_volume(shape.area, shape.volume);
 
-  // Power of the densities: gravity's on the membrane, and the ambient flow's work against all
-  // forces.
+  // Power of gravity on the membrane, and the ambient flow's work against all forces.
   const Discretization& operators = impl.stepper.discretization();
-  const Eigen::VectorXd mass = shape.vertex_area.replicate(1, 3).reshaped<Eigen::RowMajor>();
-  Eigen::VectorXd force = Eigen::VectorXd::Zero(u.size());
-  if (impl.model.bending)
-    force += operators.bending_force(shape, state.bending);
-  if (impl.model.incompressible)
-    force += operators.tension_force(shape, state.tension);
-  double power_in = 0;
-  if (impl.model.bond != 0)
-  {
-    const Eigen::VectorXd load = operators.load_force(shape);
-    power_in += load.cwiseProduct(mass).dot(u);
-    force += load;
-  }
-  double dissipation = force.cwiseProduct(mass).dot(u);
-  if (impl.model.flow)
-  {
-    const double against = force.cwiseProduct(mass).dot(shape.ambient);
-    power_in -= against;
-    dissipation -= against;
-  }
-  d.power_in = power_in * unit.power();
-  d.dissipation = dissipation * unit.power();
+  const auto load_power = [&](const Eigen::VectorXd& v)
+  { return impl.model.bond != 0 ? operators.load_power(shape, v) : 0; };
+  const auto power = [&](const Eigen::VectorXd& v)
+  { return operators.membrane_power(shape, state.bending, state.tension, v) + load_power(v); };
+  const double against = impl.model.flow ? power(shape.ambient) : 0;
+  d.power_in = (load_power(u) - against) * unit.power();
+  d.dissipation = (power(u) - against) * unit.power();
 
   if (impl.model.bending)
     d.bending_energy = shape.bending_energy * unit.energy;

@@ -96,7 +96,7 @@ TEST(Pear, LoopSurface)
   {
     const History pear = run("pear", { "vesicle.triangles=" + std::to_string(triangles) });
     expect_constraints_kept(pear);
-    expect_power_balance(pear, 0.01);
+    expect_power_balance(pear, 1e-3);
     const Diagnostics& end = pear.rows.back();
     EXPECT_NEAR(end.velocity[2], 2.285, 0.01 * 2.285) << triangles;
     EXPECT_NEAR(end.energy_over_8pi, 1.114, 0.002 * 1.114) << triangles;
