@@ -55,6 +55,13 @@ struct ShapeOperators
   bool gauge_pinned = false;
 };
 
+/// A surface and a vector field on it on flat triangles, fine enough to measure along lines.
+struct FlatSample
+{
+  TriangleMesh mesh;
+  Points field;
+};
+
 class Discretization
 {
 public:
@@ -87,6 +94,10 @@ public:
   virtual double membrane_power(const ShapeOperators& shape, const Eigen::VectorXd& phi,
     const Eigen::VectorXd& gamma, const Eigen::VectorXd& velocity) const = 0;
   virtual double load_power(const ShapeOperators& shape, const Eigen::VectorXd& velocity) const = 0;
+  /// At least the part of the surface that the plane y = `height` cuts; `field` is given at the
+  /// vertices. Points may be repeated.
+  virtual FlatSample sample_around(
+    double height, const ShapeOperators& shape, const Points& field) const = 0;
   /// A nodal scalar's values at the vertices: N.
   virtual Eigen::VectorXd at_vertices(const Eigen::VectorXd& nodal) const = 0;
 };

@@ -133,6 +133,10 @@ public:
   {
     return nodal_power(s, s.load, velocity);
   }
+  FlatSample sample_around(double, const ShapeOperators& s, const Points& field) const override
+  {
+    return { { s.vertices, basis_.elements() }, field };
+  }
   Eigen::VectorXd at_vertices(const Eigen::VectorXd& nodal) const override { return nodal; }
 
 private:

@@ -172,10 +172,10 @@ void Simulation::Impl::add_observables(
   if (const auto amplitudes = harmonic_amplitudes(surface, shape.center, d.harmonic_degree))
     std::copy(amplitudes->begin(), amplitudes->end(), d.harmonics.emplace().begin());
 
-  const TriangleMesh mesh{ state.points, start_mesh.triangles };
   const Vector3 U = shape.centroid_velocity * flat(state.velocity);
+  const FlatSample sample = operators.sample_around(shape.center.y(), shape, state.velocity);
   d.tank_treading_frequency =
-    tank_treading_frequency(mesh, state.velocity, shape.center, U) / scales.time();
+    tank_treading_frequency(sample.mesh, sample.field, shape.center, U) / scales.time();
 
   RowVectors bending;
   if (model.bending)

@@ -89,16 +89,23 @@ SurfacePoints evaluate(const BasisTable& table, const Points& nodes)
 Eigen::VectorXd interpolate(const BasisTable& table, const Eigen::VectorXd& nodal)
 {
   Eigen::VectorXd values = Eigen::VectorXd::Zero(table.rows());
-  for_each_entry(
-    table, [&](int q, int k) { values[q] += table.value[k] * nodal[table.node[k]]; });
+  for_each_entry(table, [&](int q, int k) { values[q] += table.value[k] * nodal[table.node[k]]; });
   return values;
+}
+
+Eigen::RowVector3d interpolate(const BasisTable& table, int row, const Points& nodal)
+{
+  Eigen::RowVector3d value = Eigen::RowVector3d::Zero();
+  for (int k = table.start[row]; k < table.start[row + 1]; ++k)
+    value += table.value[k] * nodal.row(table.node[k]);
+  return value;
 }
 
 RowVectors interpolate(const BasisTable& table, const Points& nodal)
 {
-  RowVectors values = RowVectors::Zero(table.rows(), 3);
-  for_each_entry(
-    table, [&](int q, int k) { values.row(q) += table.value[k] * nodal.row(table.node[k]); });
+  RowVectors values(table.rows(), 3);
+  for (int row = 0; row < table.rows(); ++row)
+    values.row(row) = interpolate(table, row, nodal);
   return values;
 }
 

@@ -25,6 +25,8 @@ SurfacePoints evaluate(const BasisTable& table, const Points& nodes);
 /// Σ N_k f_k at the rows, of a nodal scalar or vector field: #rows by 1 or 3.
 Eigen::VectorXd interpolate(const BasisTable& table, const Eigen::VectorXd& nodal);
 RowVectors interpolate(const BasisTable& table, const Points& nodal);
+/// The same at one row.
+Eigen::RowVector3d interpolate(const BasisTable& table, int row, const Points& nodal);
 
 /// ∂²x/∂u², ∂²x/∂u∂v, ∂²x/∂v² at the rows, for bases with second derivatives.
 struct SecondDerivatives

@@ -84,6 +84,34 @@ TEST(Observables, TankTreadingFrequencyOfARotation)
   EXPECT_NEAR(tank_treading_frequency(sphere, -u, Vector3::Zero(), -frame), 0.7, 0.005);
 }
 
+// An ellipsoid's surface going around as (a z/c, 0, −c x/a) ω: every point takes 2π/ω.
+TEST(Observables, TankTreadingFrequencyOfAnEllipsoid)
+{
+  const double a = 1.5, c = 0.7, omega = 0.4;
+  const auto error = [&](int triangles, Basis basis)
+  {
+    const TriangleMesh mesh = mapped(test::smooth_sphere(triangles),
+      [&](const Vector3& d) -> Vector3 {
+        return { a * d.x(), 1.1 * d.y(), c * d.z() };
+      });
+    Points u = Points::Zero(mesh.points.rows(), 3);
+    u.col(0) = omega * a / c * mesh.points.col(2);
+    u.col(2) = -omega * c / a * mesh.points.col(0);
+    const SurfaceCase surface(mesh, basis);
+    const FlatSample sample = surface.discretization->sample_around(0, surface.shape, u);
+    return std::abs(
+      tank_treading_frequency(sample.mesh, sample.field, Vector3::Zero(), Vector3::Zero()) / omega -
+      1);
+  };
+  for (const auto& [basis, tolerance] :
+    { std::pair(Basis::linear, 5e-3), std::pair(Basis::loop, 3e-4) })
+  {
+    const double coarse = error(320, basis), fine = error(1280, basis);
+    EXPECT_LT(fine, tolerance);
+    EXPECT_GT(test::order(coarse, fine), 1.7) << coarse << ", " << fine;
+  }
+}
+
 TEST(Observables, NoFrequencyWhereTheFlowDoesNotGoAround)
 {
   const TriangleMesh sphere = geodesic_sphere(6);
