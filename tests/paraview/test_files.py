@@ -36,8 +36,7 @@ class Files(unittest.TestCase):
         self.assertEqual(len(times), 8)
         for time in times:
             self.assertIn(time, self.rows)
-            simple.UpdatePipeline(time, series)
-            frame = dataset_adapter.WrapDataObject(servermanager.Fetch(series))
+            frame = self.frame(series, time)
             self.assertEqual(frame.FieldData["TimeValue"][0], time)
             self.assertEqual(frame.FieldData["Area"][0], float(self.rows[time]["area"]))
             self.assertEqual(frame.GetNumberOfCells(), 80)
@@ -48,6 +47,25 @@ class Files(unittest.TestCase):
 
     def test_series(self):
         self.check(".vtu.series")
+
+    def test_xdmf(self):
+        series = simple.OpenDataFile(str(self.name) + ".xdmf")
+        frames = simple.OpenDataFile(str(self.name) + ".pvd")
+        self.assertEqual(list(series.TimestepValues), list(frames.TimestepValues))
+        for time in frames.TimestepValues:
+            self.assertIn(time, self.rows)
+            found, expected = (self.frame(source, time) for source in (series, frames))
+            self.assertEqual(found.GetNumberOfCells(), 80)
+            self.assertTrue((found.Points == expected.Points).all())
+            for name in expected.PointData.keys():
+                self.assertTrue((found.PointData[name] == expected.PointData[name]).all(), name)
+
+    def frame(self, source, time):
+        source.UpdatePipeline(time)  # the function of that name takes a time of 0 for none
+        data = servermanager.Fetch(source)
+        while data.IsA("vtkMultiBlockDataSet"):
+            data = data.GetBlock(0)
+        return dataset_adapter.WrapDataObject(data)
 
 
 if __name__ == "__main__":
