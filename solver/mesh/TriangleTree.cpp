@@ -10,14 +10,8 @@
 namespace vesicle
 {
 
-namespace
-{
-constexpr int leaf_size = 4;
-/// The line shan't slip through between two triangles, nor past a box of no thickness.
-constexpr double line_rounding = 1e-9;
-
-/// Barycentric weights of the point of triangle a, b, c nearest to the origin, by the regions in
-/// which the origin can lie (C. Ericson, Real-Time Collision Detection, 2005, section 5.1.5).
+// By the regions in which the origin can lie (C. Ericson, Real-Time Collision Detection, 2005,
+// section 5.1.5).
 Vector3 nearest_weights(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   const Vector3 ab = b - a, ac = c - a;
@@ -56,6 +50,13 @@ Vector3 nearest_weights(const Vector3& a, const Vector3& b, const Vector3& c)
   }
   return Vector3(va, vb, vc) / (va + vb + vc);
 }
+
+namespace
+{
+constexpr int leaf_size = 4;
+/// The line shan't slip through between two triangles, nor past a box of no thickness.
+constexpr double line_rounding = 1e-9;
+
 /// Does the line x + s d, |s| ≤ reach, meet the box? By the slabs between its faces.
 bool meets(const Eigen::AlignedBox3d& box, const Vector3& x, const Vector3& d, double reach)
 {

@@ -9,6 +9,9 @@
 namespace vesicle
 {
 
+/// Barycentric weights of the point of triangle a, b, c nearest to the origin.
+Vector3 nearest_weights(const Vector3& a, const Vector3& b, const Vector3& c);
+
 class TriangleTree
 {
 public:

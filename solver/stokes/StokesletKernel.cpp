@@ -180,6 +180,31 @@ void add_surface_densities(const SurfaceSources& s, int begin, int end, const do
 }
 
 VESICLE_MULTIVERSION
+void add_velocities(
+  const ForceSources& s, int begin, int end, const double* targets, const double* mask, double* sum)
+{
+  Targets t;
+  load(t, targets, mask);
+  Lanes total[4];
+  for (int c = 0; c < 4; ++c)
+    load(total[c], sum + c * stokeslet_lanes);
+  const int n = s.rows;
+  for (int q = begin; q < end; ++q)
+  {
+    Pair p;
+    evaluate(p, s, q, t);
+    Lanes g[3];
+    apply(g, p, s.force[q], s.force[q + n], s.force[q + 2 * n]);
+    for (int c = 0; c < 3; ++c)
+      total[c] += g[c];
+    total[3] +=
+      p.over_r3 * (s.normal[q] * p.dx + s.normal[q + n] * p.dy + s.normal[q + 2 * n] * p.dz);
+  }
+  for (int c = 0; c < 4; ++c)
+    std::memcpy(sum + c * stokeslet_lanes, &total[c], sizeof total[c]);
+}
+
+VESICLE_MULTIVERSION
 double dot(const double* a, const double* b, long n)
 {
   double sum = 0;

@@ -40,6 +40,19 @@ struct SurfaceSources : StokesletSources
 void add_surface_densities(const SurfaceSources& sources, int begin, int end, const double* targets,
   const double* mask, double* sum);
 
+/// Source points with a known force.
+struct ForceSources : StokesletSources
+{
+  const double* force;  ///< of every row: f, 3 numbers, one component after the other
+  const double* normal; ///< of every row, stored like f
+  int rows;
+};
+
+/// Rows [begin, end) are added up: Σ weight G f (3 components) and Σ weight X·n/r³, X from the
+/// target to the source, are added to sum[component · lanes + lane].
+void add_velocities(const ForceSources& sources, int begin, int end, const double* targets,
+  const double* mask, double* sum);
+
 /// Σ a_i b_i.
 double dot(const double* a, const double* b, long n);
 

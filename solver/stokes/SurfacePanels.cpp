@@ -1,0 +1,154 @@
+#include "solver/stokes/SurfacePanels.h"
+
+#include "solver/mesh/TriangleTree.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+
+namespace vesicle
+{
+
+namespace
+{
+
+constexpr int smooth_degree = 4;
+constexpr int max_terms = (smooth_degree + 1) * (smooth_degree + 2) / 2;
+// Levels of halving towards extraordinary vertices.
+constexpr int grading = 2;
+constexpr int components = 6;
+// Gauss–Newton for the nearest point: steps below this part of the panel end it. It converges where
+// x is nearer than the radius of curvature; elsewhere a rough answer does.
+constexpr double smallest_step = 1e-12;
+constexpr int max_sweeps = 12;
+// The sphere around a panel's corners and mid-sides holds the rest with this margin.
+constexpr double sphere_margin = 1.05;
+
+/// Monomials u^i v^j of total degree 0, 1, …, and their derivatives.
+struct Monomials
+{
+  double value[max_terms], du[max_terms], dv[max_terms];
+
+  Monomials(int degree, double u, double v)
+  {
+    double power_u[smooth_degree + 1] = { 1 }, power_v[smooth_degree + 1] = { 1 };
+    for (int i = 1; i <= degree; ++i)
+    {
+      power_u[i] = power_u[i - 1] * u;
+      power_v[i] = power_v[i - 1] * v;
+    }
+    int term = 0;
+    for (int d = 0; d <= degree; ++d)
+      for (int j = 0; j <= d; ++j, ++term)
+      {
+        const int i = d - j;
+        value[term] = power_u[i] * power_v[j];
+        du[term] = i > 0 ? i * power_u[i - 1] * power_v[j] : 0;
+        dv[term] = j > 0 ? j * power_u[i] * power_v[j - 1] : 0;
+      }
+  }
+};
+
+/// Nodes inside the triangle, away from the corners, where second derivatives may not exist. The
+/// weights are 1: a rule of them tells the share of the element's domain that a panel has.
+std::vector<TrianglePoint> interpolation_nodes(int degree)
+{
+  constexpr double inset = 0.4; // of the distance between two nodes
+  std::vector<TrianglePoint> nodes;
+  for (int i = 0; i <= degree; ++i)
+    for (int j = 0; i + j <= degree; ++j)
+      nodes.push_back(
+        { (i + inset) / (degree + 3 * inset), (j + inset) / (degree + 3 * inset), 1 });
+  return nodes;
+}
+
+/// Coefficients = this · values at the nodes.
+Eigen::MatrixXd interpolation_matrix(const std::vector<TrianglePoint>& nodes, int degree)
+{
+  const auto n = static_cast<Eigen::Index>(nodes.size());
+  Eigen::MatrixXd values(n, n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    values.row(i) =
+      Eigen::Map<const Eigen::RowVectorXd>(Monomials(degree, nodes[i].u, nodes[i].v).value, n);
+  return values.inverse();
+}
+
+}
+
+SurfacePanels::SurfacePanels(const Basis& basis, const Points& control, const Density& density)
+{
+  const bool smooth = dynamic_cast<const LinearBasis*>(&basis) == nullptr;
+  degree_ = smooth ? smooth_degree : 1;
+  const std::vector<TrianglePoint> nodes = interpolation_nodes(degree_);
+  terms_ = static_cast<int>(nodes.size());
+  const BasisTable table = basis.tabulate(basis.rule(nodes, smooth ? grading : 0));
+  const SurfacePoints surface = evaluate(table, control);
+
+  Eigen::MatrixXd values(table.rows(), components);
+  values.leftCols<3>() = surface.position;
+  values.rightCols<3>() = density(table, surface).array().colwise() * surface.area_weight.array();
+  const Eigen::MatrixXd to_coefficients = interpolation_matrix(nodes, degree_);
+  coefficients_.resize(values.size());
+  for (int first = 0; first < table.rows(); first += terms_)
+    Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
+      coefficients_.data() + static_cast<long>(first) * components, terms_, components) =
+      to_coefficients * values.middleRows(first, terms_);
+
+  const int panels = table.rows() / terms_;
+  radius_.resize(panels); // sets size()
+  for (int panel = 0; panel < panels; ++panel)
+  {
+    const Vector3 middle = sample(panel, 1. / 3, 1. / 3).position;
+    double radius = 0;
+    for (const auto& [u, v] : { std::array{ 0., 0. }, std::array{ 1., 0. }, std::array{ 0., 1. },
+           std::array{ 0.5, 0. }, std::array{ 0., 0.5 }, std::array{ 0.5, 0.5 } })
+      radius = std::max(radius, (sample(panel, u, v).position - middle).norm());
+    center_.push_back(middle);
+    radius_[panel] = sphere_margin * radius;
+  }
+}
+
+SurfacePanels::Sample SurfacePanels::sample(int panel, double u, double v) const
+{
+  const Monomials monomial(degree_, u, v);
+  const double* c = coefficients_.data() + static_cast<long>(panel) * terms_ * components;
+  double sum[components] = {};
+  for (int term = 0; term < terms_; ++term, c += components)
+    for (int k = 0; k < components; ++k)
+      sum[k] += monomial.value[term] * c[k];
+  return { { sum[0], sum[1], sum[2] }, { sum[3], sum[4], sum[5] } };
+}
+
+SurfacePanels::Frame SurfacePanels::frame(int panel, double u, double v) const
+{
+  const Monomials monomial(degree_, u, v);
+  const double* c = coefficients_.data() + static_cast<long>(panel) * terms_ * components;
+  Frame f{ u, v, Vector3::Zero(), Vector3::Zero(), Vector3::Zero() };
+  for (int term = 0; term < terms_; ++term, c += components)
+  {
+    const Eigen::Map<const Vector3> x(c);
+    f.position += monomial.value[term] * x;
+    f.tangent_u += monomial.du[term] * x;
+    f.tangent_v += monomial.dv[term] * x;
+  }
+  return f;
+}
+
+SurfacePanels::Frame SurfacePanels::nearest(int panel, const Vector3& x) const
+{
+  Frame f = frame(panel, 1. / 3, 1. / 3);
+  for (int sweep = 0; sweep < max_sweeps; ++sweep)
+  {
+    // The nearest point of the panel's tangent triangle.
+    const auto corner = [&](double u, double v) -> Vector3
+    { return f.position + (u - f.u) * f.tangent_u + (v - f.v) * f.tangent_v - x; };
+    const Vector3 weights = nearest_weights(corner(0, 0), corner(1, 0), corner(0, 1));
+    const double step = std::max(std::abs(weights[1] - f.u), std::abs(weights[2] - f.v));
+    f = frame(panel, weights[1], weights[2]);
+    if (step < smallest_step)
+      break;
+  }
+  return f;
+}
+
+}

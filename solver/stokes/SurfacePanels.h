@@ -1,0 +1,56 @@
+#pragma once
+// A surface and the force density on it as polynomials on triangular pieces. Evaluating them costs
+// a few dozen multiplications whatever the basis, so that a quadrature can be made for every single
+// target.
+
+#include "solver/geometry/Surface.h"
+
+#include <functional>
+
+namespace vesicle
+{
+
+/// Panels are the elements of the basis; those at extraordinary vertices are halved towards them,
+/// as Basis::rule does. Position and f |x_u × x_v| are interpolated, on linear elements by the
+/// polynomials of degree 1 that they are, on smooth bases by degree 4, in which the position is
+/// exact on regular elements.
+class SurfacePanels
+{
+public:
+  /// The force density f, a force an area, at the rows of a table: #rows by 3.
+  using Density = std::function<RowVectors(const BasisTable&, const SurfacePoints&)>;
+
+  SurfacePanels(const Basis& basis, const Points& control, const Density& density);
+
+  int size() const { return static_cast<int>(radius_.size()); }
+  /// A sphere that holds the panel.
+  const Vector3& center(int panel) const { return center_[panel]; }
+  double radius(int panel) const { return radius_[panel]; }
+
+  /// A panel's point at (u, v), u, v ≥ 0, u + v ≤ 1.
+  struct Sample
+  {
+    Vector3 position;
+    Vector3 force; ///< f |x_u × x_v|: force an area of the parametric domain
+  };
+  Sample sample(int panel, double u, double v) const;
+
+  /// Position and tangents.
+  struct Frame
+  {
+    double u, v;
+    Vector3 position, tangent_u, tangent_v;
+    Vector3 cross() const { return tangent_u.cross(tangent_v); } ///< outward
+  };
+  Frame frame(int panel, double u, double v) const;
+  /// Where the panel is nearest to x.
+  Frame nearest(int panel, const Vector3& x) const;
+
+private:
+  int degree_, terms_;
+  std::vector<double> coefficients_; ///< of each panel, term: x, y, z, force x, y, z
+  std::vector<Vector3> center_;
+  std::vector<double> radius_;
+};
+
+}
