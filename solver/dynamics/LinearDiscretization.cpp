@@ -1,5 +1,6 @@
 #include "solver/dynamics/Discretization.h"
 
+#include "solver/geometry/FittedCurvature.h"
 #include "solver/membrane/Bending.h"
 #include "solver/stokes/AmbientFlow.h"
 
@@ -51,6 +52,8 @@ public:
     s.area_rate = area_rate_matrix(table, surface);
     s.curvature = cotan_curvature(cotan, points, normals());
     s.bending_energy = vesicle::bending_energy(cotan, s.curvature);
+    if (model_.fitted_bending)
+      s.curvature = fitted_curvature({ points, basis_.elements() }).curvature;
     s.force_normal = s.curvature.normal;
     if (model_.bending)
     {

@@ -1,6 +1,8 @@
 #include "solver/dynamics/Discretization.h"
 
+#include "solver/geometry/FittedCurvature.h"
 #include "solver/geometry/LoopBasis.h"
+#include "solver/membrane/Bending.h"
 #include "solver/membrane/SurfaceBending.h"
 #include "solver/stokes/AmbientFlow.h"
 
@@ -125,9 +127,12 @@ public:
     const auto H = s.curvature.mean.array();
     s.curvature.laplacian_mean =
       at_vertices(phi).array() / 2 - 2 * H * (H * H - s.curvature.gauss.array());
+    if (model_.fitted_bending)
+      s.curvature = fitted_curvature({ vertices, basis_.elements() }).curvature;
     if (model_.bending)
     {
-      s.bending = phi;
+      s.bending =
+        model_.fitted_bending ? Eigen::VectorXd(fit_.solve(bending_density(s.curvature))) : phi;
       s.bending_response = along_normals(bending_hessian(geometry_, surface, curvature), s.outward);
     }
     if (model_.incompressible)

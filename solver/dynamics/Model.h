@@ -12,6 +12,9 @@ namespace vesicle
 struct Model
 {
   bool bending = false;
+  /// Bending from fitted curvatures: right at every vertex on any mesh, but no gradient of an
+  /// energy of the mesh, as time stepping needs it. For single shapes.
+  bool fitted_bending = false;
   bool incompressible = true;
   double bond = 0;                 ///< Δρ g r0⁴/EB; 0: no buoyancy
   std::optional<Scene::Flow> flow; ///< dimensionless

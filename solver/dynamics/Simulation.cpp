@@ -49,6 +49,7 @@ Model make_model(const Scene& scene, const Scales& scales)
 {
   Model model;
   model.bending = scene.membrane.bending_rigidity.has_value();
+  model.fitted_bending = scene.accuracy.bending == Scene::Bending::fit;
   model.incompressible = scene.membrane.incompressible;
   model.bond = bond_number(scene, scales);
   if (scene.flow)
@@ -114,6 +115,7 @@ struct Simulation::Impl
   bool overshoots(const State& state) const;
   bool steady(const State& state) const;
   void add_observables(const State& state, const ShapeOperators& shape, Diagnostics& d) const;
+  State unsolved() const; ///< the start shape at rest
 };
 
 // The next time, in the scene's units, that must be hit exactly.
@@ -215,14 +217,26 @@ const std::string& Simulation::notes() const
   return impl_->notes;
 }
 
-State Simulation::start() const
+State Simulation::Impl::unsolved() const
 {
   State state;
-  state.points = impl_->start_mesh.points / impl_->scales.length;
-  const auto kept = impl_->stepper.shape(state.points);
-  const ShapeOperators& shape = *kept;
-  state.target_area = shape.area;
-  state.target_volume = shape.volume;
+  state.points = start_mesh.points / scales.length;
+  const auto shape = stepper.shape(state.points);
+  state.target_area = shape->area;
+  state.target_volume = shape->volume;
+  return state;
+}
+
+State Simulation::instant() const
+{
+  State state = impl_->unsolved();
+  impl_->stepper.solve(state); // over a step of 0
+  return state;
+}
+
+State Simulation::start() const
+{
+  State state = impl_->unsolved();
   state.free_step = impl_->scene.time.step ? *impl_->scene.time.step / impl_->scales.time()
                                            : first_step / impl_->rate();
   impl_->plan_next_step(state);
@@ -417,6 +431,8 @@ std::map<std::string, Eigen::MatrixXd> Simulation::fields(const State& state) co
     membrane += force;
   }
   fields["Membrane_Force"] = membrane * unit.force_density();
+  if (impl.model.bond != 0)
+    fields["Gravity_Force"] = rows_of_three(operators.load_force(shape)) * unit.force_density();
   return fields;
 }
 

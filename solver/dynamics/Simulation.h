@@ -29,8 +29,11 @@ public:
   /// nothing.
   const std::string& notes() const;
 
-  /// The start: time 0, velocity and tension solved for the start shape.
+  /// The start: time 0, velocity and tension solved for the start shape, with bending as implicit
+  /// as the first step needs it.
   State start() const;
+  /// The same with nothing of a time step in it: the bending force is that of the shape.
+  State instant() const;
   /// One accepted step. Throws NumericalError if there is none; `state` is then still valid.
   State step(const State& state) const;
   /// True at the scene's end time, or when the shape is steady (end = "steady").
@@ -46,9 +49,9 @@ public:
 
   /// Point fields of a state in the scene's units, by the names of the output contract
   /// (Mean_Curvature, Gauss_Curvature, Laplacian_Mean_Curvature, Normals, Bending_Force, Tension,
-  /// Tension_Force, Membrane_Force, Velocity, Surface_Divergence); #vertices rows, 1 or 3 columns.
-  /// Only what the scene has: no Tension without incompressibility, no Bending_Force without
-  /// bending.
+  /// Tension_Force, Membrane_Force, Gravity_Force, Velocity, Surface_Divergence); #vertices rows, 1
+  /// or 3 columns. Only what the scene has: no Tension without incompressibility, no Bending_Force
+  /// without bending, no Gravity_Force without gravity.
   std::map<std::string, Eigen::MatrixXd> fields(const State& state) const;
 
 private:

@@ -37,7 +37,7 @@ StageProblem::StageProblem(const Model& model, const Discretization& discretizat
     total_ += present ? size : 0;
     return present ? first : -1;
   };
-  bending_ = place(model.bending, nodes_);
+  bending_ = place(model.bending && tau > 0, nodes_);
   tension_ = place(model.incompressible, nodes_);
   volume_ = place(model.robust(), 1);
   slack_ = place(shape.gauge_pinned, 1);

@@ -31,7 +31,8 @@ struct StageSolution
 class StageProblem
 {
 public:
-  /// All arguments must outlive the problem. `response` is that of `shape`. `tau`: implicit time.
+  /// All arguments must outlive the problem. `response` is that of `shape`. `tau`: implicit time;
+  /// 0: bending is that of the shape, and ψ is absent.
   StageProblem(const Model& model, const Discretization& discretization,
     const ShapeOperators& shape, const VelocityResponse& response, double tau);
 

@@ -96,7 +96,7 @@ inline const std::vector<std::string> view_names{ "auto", "x", "y", "z", "isomet
 /// The point arrays that a run can write.
 inline const std::vector<std::string> field_names{ "Mean_Curvature", "Gauss_Curvature",
   "Laplacian_Mean_Curvature", "Normals", "Bending_Force", "Tension", "Tension_Force",
-  "Membrane_Force", "Velocity", "Surface_Divergence" };
+  "Membrane_Force", "Gravity_Force", "Velocity", "Surface_Divergence" };
 
 template<class Choices, class Choice>
 std::string name_of(const Choices& choices, Choice choice)

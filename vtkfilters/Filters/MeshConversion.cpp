@@ -1,17 +1,24 @@
 #include "MeshConversion.h"
 
+#include "solver/Errors.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkTriangleFilter.h"
 #include "vtkUnstructuredGrid.h"
+
+#include <fmt/format.h>
 
 #include <array>
 #include <vector>
@@ -39,6 +46,18 @@ std::vector<FrameArray> to_frame_arrays(vtkFieldData* data)
     arrays.push_back({ array->GetName(), std::move(values) });
   }
   return arrays;
+}
+
+/// The corners of a flat cell that a surface is made of; false for other cells.
+bool is_polygon(int cell_type)
+{
+  return cell_type == VTK_TRIANGLE || cell_type == VTK_QUAD || cell_type == VTK_POLYGON;
+}
+
+bool is_ignored(int cell_type)
+{
+  return cell_type == VTK_VERTEX || cell_type == VTK_POLY_VERTEX || cell_type == VTK_LINE ||
+    cell_type == VTK_POLY_LINE || cell_type == VTK_EMPTY_CELL;
 }
 
 }
@@ -82,6 +101,21 @@ vtkSmartPointer<vtkPoints> to_vtk_points(const Points& points)
     result->SetPoint(i, points(i, 0), points(i, 1), points(i, 2));
   }
   return result;
+}
+
+void use_double_points(vtkPolyData* surface)
+{
+  if (surface->GetPoints() && surface->GetPoints()->GetDataType() == VTK_DOUBLE)
+  {
+    return;
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  if (surface->GetPoints())
+  {
+    points->DeepCopy(surface->GetPoints());
+  }
+  surface->SetPoints(points);
 }
 
 vtkSmartPointer<vtkCellArray> to_cells(const Triangles& triangles)
@@ -141,6 +175,53 @@ vtkSmartPointer<vtkUnstructuredGrid> to_unstructured_grid(vtkPolyData* surface)
     }
   }
   return grid;
+}
+
+vtkSmartPointer<vtkPolyData> polygons_of(vtkDataSet* grid, const std::string& name)
+{
+  auto* points = vtkPointSet::SafeDownCast(grid);
+  if (!points || !points->GetPoints())
+  {
+    throw InputError(name + ": holds no surface; a mesh of triangles is needed");
+  }
+  vtkNew<vtkCellArray> polygons;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    const int type = grid->GetCellType(cell);
+    if (is_polygon(type))
+    {
+      grid->GetCellPoints(cell, corners);
+      polygons->InsertNextCell(corners);
+    }
+    else if (!is_ignored(type))
+    {
+      throw InputError(
+        fmt::format("{}: cell {} is of VTK's type {}, not a flat polygon; extract the "
+                    "surface as linear triangles first",
+          name, cell, type));
+    }
+  }
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->SetPoints(points->GetPoints());
+  surface->SetPolys(polygons);
+  surface->GetPointData()->ShallowCopy(grid->GetPointData());
+  surface->GetFieldData()->ShallowCopy(grid->GetFieldData());
+  if (polygons->GetNumberOfCells() == grid->GetNumberOfCells())
+  {
+    surface->GetCellData()->ShallowCopy(grid->GetCellData());
+  }
+  return surface;
+}
+
+vtkSmartPointer<vtkPolyData> triangulated(vtkPolyData* surface)
+{
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(surface);
+  triangles->PassVertsOff();
+  triangles->PassLinesOff();
+  triangles->Update();
+  return triangles->GetOutput();
 }
 
 }

@@ -11,6 +11,7 @@
 #include <string>
 
 class vtkCellArray;
+class vtkDataSet;
 class vtkDoubleArray;
 class vtkPoints;
 class vtkPolyData;
@@ -25,6 +26,8 @@ VESICLEFILTERS_EXPORT TriangleMesh to_mesh(vtkPolyData* surface);
 VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> to_polydata(const TriangleMesh& mesh);
 VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPoints> to_vtk_points(
   const Points& points); ///< in double precision
+/// The surface's own points in double precision, as what is computed from them is.
+VESICLEFILTERS_EXPORT void use_double_points(vtkPolyData* surface);
 VESICLEFILTERS_EXPORT vtkSmartPointer<vtkCellArray> to_cells(const Triangles& triangles);
 /// One tuple a row.
 VESICLEFILTERS_EXPORT vtkSmartPointer<vtkDoubleArray> to_array(
@@ -38,5 +41,13 @@ VESICLEFILTERS_EXPORT Frame to_frame(vtkPolyData* surface, double time);
 /// aren't numbers are left out: some readers stop at them.
 VESICLEFILTERS_EXPORT vtkSmartPointer<vtkUnstructuredGrid> to_unstructured_grid(
   vtkPolyData* surface);
+
+/// The polygons of a grid on its own points, in its own order, with its arrays; vertices and lines
+/// are left out. Throws InputError "name: …" for any other cell.
+VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> polygons_of(
+  vtkDataSet* grid, const std::string& name);
+
+/// Polygons and strips cut into triangles, vertices and lines left out; the arrays pass through.
+VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> triangulated(vtkPolyData* surface);
 
 }

@@ -7,22 +7,15 @@
 
 #include "solver/Errors.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkCellType.h"
 #include "vtkDataSetReader.h"
-#include "vtkFieldData.h"
 #include "vtkErrorCode.h"
-#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPLYReader.h"
 #include "vtkPLYWriter.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataWriter.h"
 #include "vtkSTLReader.h"
 #include "vtkSTLWriter.h"
-#include "vtkTriangleFilter.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
@@ -79,66 +72,6 @@ vtkSmartPointer<vtkDataSet> read_by(const path& file)
 {
   vtkNew<Reader> reader;
   return read_with(reader.Get(), file);
-}
-
-/// The corners of a flat cell that a surface is made of; false for other cells.
-bool is_polygon(int cell_type)
-{
-  return cell_type == VTK_TRIANGLE || cell_type == VTK_QUAD || cell_type == VTK_POLYGON;
-}
-
-bool is_ignored(int cell_type)
-{
-  return cell_type == VTK_VERTEX || cell_type == VTK_POLY_VERTEX || cell_type == VTK_LINE ||
-    cell_type == VTK_POLY_LINE || cell_type == VTK_EMPTY_CELL;
-}
-
-/// The polygons of a grid on its own points, in its own order.
-Surface polygons_of(vtkDataSet* grid, const path& file)
-{
-  auto* points = vtkPointSet::SafeDownCast(grid);
-  if (!points || !points->GetPoints())
-  {
-    unreadable(file, "holds no surface; a mesh of triangles is needed");
-  }
-  vtkNew<vtkCellArray> polygons;
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
-  {
-    const int type = grid->GetCellType(cell);
-    if (is_polygon(type))
-    {
-      grid->GetCellPoints(cell, corners);
-      polygons->InsertNextCell(corners);
-    }
-    else if (!is_ignored(type))
-    {
-      unreadable(file,
-        fmt::format("cell {} is of VTK's type {}, not a flat polygon; extract the "
-                    "surface as linear triangles first",
-          cell, type));
-    }
-  }
-  auto surface = Surface::New();
-  surface->SetPoints(points->GetPoints());
-  surface->SetPolys(polygons);
-  surface->GetPointData()->ShallowCopy(grid->GetPointData());
-  surface->GetFieldData()->ShallowCopy(grid->GetFieldData());
-  if (polygons->GetNumberOfCells() == grid->GetNumberOfCells())
-  {
-    surface->GetCellData()->ShallowCopy(grid->GetCellData());
-  }
-  return surface;
-}
-
-Surface triangulated(vtkPolyData* surface)
-{
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(surface);
-  triangles->PassVertsOff();
-  triangles->PassLinesOff();
-  triangles->Update();
-  return triangles->GetOutput();
 }
 
 vtkSmartPointer<vtkDataSet> read_obj(const path& file)
@@ -302,7 +235,7 @@ vtkSmartPointer<vtkPolyData> read_mesh(const path& file)
   require_file(file);
   const auto data = format.read(file);
   auto surface = Surface(vtkPolyData::SafeDownCast(data));
-  surface = triangulated(surface ? surface : polygons_of(data, file));
+  surface = triangulated(surface ? surface : polygons_of(data, file.string()));
   if (surface->GetNumberOfPolys() == 0)
   {
     unreadable(file, "holds no triangles; a surface mesh is needed");

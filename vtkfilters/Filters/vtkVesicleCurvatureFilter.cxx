@@ -11,11 +11,9 @@
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkTriangleFilter.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <cmath>
@@ -147,15 +145,6 @@ void add_curvatures(const TriangleMesh& mesh, int scheme, double rigidity, vtkPo
   arrays->SetNormals(vesicle::to_array("Normals", curvature.normal));
 }
 
-/// In double precision, as the curvatures are.
-void use_double_points(vtkPolyData* surface, const TriangleMesh& mesh)
-{
-  if (!surface->GetPoints() || surface->GetPoints()->GetDataType() != VTK_DOUBLE)
-  {
-    surface->SetPoints(vesicle::to_vtk_points(mesh.points));
-  }
-}
-
 }
 
 vtkStandardNewMacro(vtkVesicleCurvatureFilter);
@@ -183,12 +172,7 @@ int vtkVesicleCurvatureFilter::RequestData(
 {
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(input);
-  triangles->PassVertsOff();
-  triangles->PassLinesOff();
-  triangles->Update();
-  output->ShallowCopy(triangles->GetOutput());
+  output->ShallowCopy(vesicle::triangulated(input));
   if (output->GetNumberOfPolys() == 0)
   {
     vtkWarningMacro(<< "the input has no triangles: no curvature is computed");
@@ -209,7 +193,7 @@ int vtkVesicleCurvatureFilter::RequestData(
     {
       flip(mesh.triangles);
     }
-    use_double_points(output, mesh);
+    vesicle::use_double_points(output);
     add_curvatures(mesh, this->Scheme, this->BendingRigidity, output->GetPointData());
     return 1;
   }

@@ -2,19 +2,17 @@
 
 #include "MeshConversion.h"
 #include "MeshFiles.h"
+#include "SceneNumbers.h"
 #include "Trajectory.h"
 
 #include "solver/Errors.h"
 #include "solver/dynamics/Simulation.h"
 #include "solver/scene/SceneFile.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTimeStamp.h"
@@ -73,20 +71,6 @@ std::vector<std::pair<const char*, double>> numbers_of(const Diagnostics& d)
   return { { "Area", d.area }, { "Volume", d.volume }, { "Reduced_Volume", d.reduced_volume },
     { "Bending_Energy", d.bending_energy }, { "Area_Drift", d.area_drift },
     { "Volume_Drift", d.volume_drift } };
-}
-
-void add_number(vtkPolyData* output, const char* name, double value)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
-  output->GetFieldData()->AddArray(array);
-}
-
-bool is_chosen(const Scene& scene, const std::string& field)
-{
-  const auto& chosen = scene.output.fields;
-  return chosen.empty() || std::find(chosen.begin(), chosen.end(), field) != chosen.end();
 }
 
 /// Every multiple of output_every from `from` to the end, and the end.
@@ -201,7 +185,8 @@ struct vtkVesicleStepper::Internals
 
   void AddNumbers(const Moment& moment, vtkPolyData* output)
   {
-    add_number(output, "TimeValue", moment.time);
+    vtkFieldData* to = output->GetFieldData();
+    vesicle::add_number(to, "TimeValue", moment.time);
     auto numbers = numbers_of(this->Diagnose(*moment.before));
     if (moment.after)
     {
@@ -213,23 +198,16 @@ struct vtkVesicleStepper::Internals
     }
     for (const auto& [name, value] : numbers)
     {
-      add_number(output, name, value);
+      vesicle::add_number(to, name, value);
     }
+    vesicle::add_medium(this->CurrentScene, to);
   }
 
   void Deliver(const Moment& moment, vtkPolyData* output)
   {
     output->SetPoints(vesicle::to_vtk_points(points_at(*this->Sim, moment)));
     output->SetPolys(vesicle::to_cells(this->Sim->triangles()));
-    for (const auto& [name, values] : fields_at(*this->Sim, moment))
-    {
-      if (is_chosen(this->CurrentScene, name))
-      {
-        output->GetPointData()->AddArray(vesicle::to_array(name, values));
-      }
-    }
-    output->GetPointData()->SetActiveScalars("Mean_Curvature");
-    output->GetPointData()->SetActiveNormals("Normals");
+    vesicle::add_fields(fields_at(*this->Sim, moment), this->CurrentScene, output);
     this->AddNumbers(moment, output);
     output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), moment.time);
   }

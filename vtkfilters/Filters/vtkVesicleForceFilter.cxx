@@ -1,0 +1,113 @@
+#include "vtkVesicleForceFilter.h"
+
+#include "MeshConversion.h"
+#include "SceneNumbers.h"
+
+#include "solver/Errors.h"
+#include "solver/dynamics/Simulation.h"
+
+#include "vtkCleanPolyData.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using vesicle::Simulation;
+
+bool uses_all_points(vtkPolyData* surface)
+{
+  const auto mesh = vesicle::to_mesh(surface);
+  std::vector<bool> used(mesh.points.rows(), false);
+  for (const int vertex : mesh.triangles.reshaped())
+  {
+    used[vertex] = true;
+  }
+  return std::find(used.begin(), used.end(), false) == used.end();
+}
+
+/// Triangles and the points that they use, with all arrays.
+vtkSmartPointer<vtkPolyData> membrane_of(vtkPolyData* input)
+{
+  auto surface = vesicle::triangulated(input);
+  if (surface->GetNumberOfPolys() == 0 || uses_all_points(surface))
+  {
+    return surface;
+  }
+  vtkNew<vtkCleanPolyData> clean;
+  clean->SetInputData(surface);
+  clean->PointMergingOff();
+  clean->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  clean->Update();
+  return clean->GetOutput();
+}
+
+void solve(const vesicle::Scene& scene, const Simulation& simulation, vtkPolyData* output)
+{
+  const vesicle::State state = simulation.instant();
+  vesicle::use_double_points(output);
+  output->SetPolys(vesicle::to_cells(simulation.triangles()));
+  vesicle::add_fields(simulation.fields(state), scene, output);
+  const vesicle::Diagnostics numbers = simulation.diagnose(state);
+  vtkFieldData* to = output->GetFieldData();
+  vesicle::add_number(to, "Area", numbers.area);
+  vesicle::add_number(to, "Volume", numbers.volume);
+  vesicle::add_number(to, "Reduced_Volume", numbers.reduced_volume);
+  vesicle::add_number(to, "Bending_Energy", numbers.bending_energy);
+  vesicle::add_medium(scene, to);
+}
+
+}
+
+vtkStandardNewMacro(vtkVesicleForceFilter);
+
+int vtkVesicleForceFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  try
+  {
+    output->ShallowCopy(membrane_of(input));
+    if (output->GetNumberOfPolys() == 0)
+    {
+      vtkWarningMacro(<< "the input has no triangles: there is nothing to solve for");
+      return 1;
+    }
+    vesicle::Scene scene = this->MakeScene();
+    if (this->BendingForce == Fitted)
+    {
+      scene.accuracy.bending = vesicle::Scene::Bending::fit;
+    }
+    vesicle::TriangleMesh mesh = vesicle::to_mesh(output);
+    const std::string changes = vesicle::prepare_for_dynamics(mesh, "input");
+    const Simulation simulation(scene, std::move(mesh), changes);
+    if (!simulation.notes().empty())
+    {
+      vtkWarningMacro(<< simulation.notes());
+    }
+    solve(scene, simulation, output);
+    return 1;
+  }
+  catch (const std::exception& error)
+  {
+    output->Initialize();
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+}
+
+void vtkVesicleForceFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "BendingForce: " << (this->BendingForce == Fitted ? "fitted" : "dynamics")
+     << '\n';
+}

@@ -1,0 +1,265 @@
+#include "vtkVesicleProbeFilter.h"
+
+#include "MeshConversion.h"
+#include "SceneNumbers.h"
+
+#include "solver/Errors.h"
+#include "solver/stokes/AmbientFlow.h"
+#include "solver/stokes/MembraneFlow.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+namespace
+{
+
+using vesicle::Points;
+using vesicle::TriangleMesh;
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+// Between two of these many points progress is reported and AbortExecute looked at.
+constexpr vtkIdType block_size = 4096;
+
+/// A point array of the surface; nothing if there is none of that name.
+std::optional<Eigen::MatrixXd> point_array(vtkPolyData* surface, const char* name, int components)
+{
+  vtkDataArray* array = surface->GetPointData()->GetArray(name);
+  if (!array)
+  {
+    return {};
+  }
+  if (array->GetNumberOfComponents() != components)
+  {
+    throw vesicle::InputError(fmt::format("the source's array {} has {} components, not {}", name,
+      array->GetNumberOfComponents(), components));
+  }
+  Eigen::MatrixXd values(array->GetNumberOfTuples(), components);
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < components; ++c)
+    {
+      values(i, c) = array->GetComponent(i, c);
+    }
+  }
+  if (!values.allFinite())
+  {
+    throw vesicle::InputError(
+      fmt::format("the source's array {} has values that aren't finite", name));
+  }
+  return values;
+}
+
+TriangleMesh mesh_of(vtkPolyData* surface)
+{
+  TriangleMesh mesh = vesicle::to_mesh(surface);
+  const auto points = mesh.points.rows();
+  vesicle::prepare_for_dynamics(mesh, "source");
+  if (mesh.points.rows() != points)
+  {
+    throw vesicle::InputError(
+      "the source has points that no triangle uses; drop them first (vtkCleanPolyData)");
+  }
+  return mesh;
+}
+
+vesicle::VertexForces forces_on(vtkPolyData* surface)
+{
+  const auto membrane = point_array(surface, "Membrane_Force", 3);
+  if (!membrane)
+  {
+    throw vesicle::InputError("the source lacks the point array Membrane_Force, which frames of a "
+                              "run (unless the scene's output.fields leaves it out), "
+                              "vtkVesicleStepper and vtkVesicleForceFilter have");
+  }
+  vesicle::VertexForces forces;
+  forces.total = *membrane;
+  if (const auto gravity = point_array(surface, "Gravity_Force", 3))
+  {
+    forces.total += *gravity;
+  }
+  const auto tension = point_array(surface, "Tension", 1);
+  const auto tension_force = point_array(surface, "Tension_Force", 3);
+  if (tension && tension_force)
+  {
+    forces.tension = *tension;
+    forces.tension_force = *tension_force;
+  }
+  return forces;
+}
+
+/// What a source says of the flow around it.
+class Flow
+{
+public:
+  explicit Flow(vtkDataObject* source)
+    : Surface(SurfaceOf(source)), Medium(vesicle::read_medium(this->Surface->GetFieldData())),
+      Disturbance(vesicle::membrane_flow(
+        mesh_of(this->Surface), this->Medium.accuracy.basis, forces_on(this->Surface)))
+  {
+  }
+
+  vesicle::FlowField::Flow At(const Points& points) const
+  {
+    vesicle::FlowField::Flow flow = this->Disturbance.at(points);
+    flow.velocity /= this->Medium.fluid.viscosity;
+    if (this->Medium.flow)
+    {
+      flow.velocity += vesicle::ambient_velocity(*this->Medium.flow, points);
+    }
+    return flow;
+  }
+
+private:
+  static vtkSmartPointer<vtkPolyData> SurfaceOf(vtkDataObject* source)
+  {
+    vtkSmartPointer<vtkPolyData> surface = vtkPolyData::SafeDownCast(source);
+    surface = vesicle::triangulated(surface
+        ? surface.Get()
+        : vesicle::polygons_of(vtkDataSet::SafeDownCast(source), "source").Get());
+    return surface;
+  }
+
+  vtkSmartPointer<vtkPolyData> Surface;
+  vesicle::Scene Medium;
+  vesicle::FlowField Disturbance;
+};
+
+Points points_of(vtkDataSet* data, vtkIdType first, vtkIdType count)
+{
+  Points points(count, 3);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    data->GetPoint(first + i, points.row(i).data());
+  }
+  return points;
+}
+
+}
+
+vtkStandardNewMacro(vtkVesicleProbeFilter);
+
+vtkVesicleProbeFilter::vtkVesicleProbeFilter()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+void vtkVesicleProbeFilter::SetSourceData(vtkDataObject* source)
+{
+  this->SetInputDataObject(1, source);
+}
+
+void vtkVesicleProbeFilter::SetSourceConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+vtkDataObject* vtkVesicleProbeFilter::GetSource()
+{
+  return this->GetNumberOfInputConnections(1) > 0 ? this->GetInputDataObject(1, 0) : nullptr;
+}
+
+int vtkVesicleProbeFilter::FillInputPortInformation(int port, vtkInformation* info)
+{
+  this->Superclass::FillInputPortInformation(port, info);
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+  }
+  return 1;
+}
+
+int vtkVesicleProbeFilter::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkInformation* source = inputs[1]->GetInformationObject(0);
+  vtkInformation* output = outputs->GetInformationObject(0);
+  output->CopyEntry(source, Pipeline::TIME_STEPS());
+  output->CopyEntry(source, Pipeline::TIME_RANGE());
+  return 1;
+}
+
+int vtkVesicleProbeFilter::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  // Whatever piece is asked for feels the whole vesicle.
+  vtkInformation* source = inputs[1]->GetInformationObject(0);
+  source->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+  source->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  source->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  return 1;
+}
+
+int vtkVesicleProbeFilter::RequestData(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
+  vtkDataObject* source = vtkDataObject::GetData(inputs[1]);
+  vtkDataSet* output = vtkDataSet::GetData(outputs);
+  output->CopyStructure(input);
+  output->GetPointData()->PassData(input->GetPointData());
+  output->GetCellData()->PassData(input->GetCellData());
+  output->GetFieldData()->PassData(input->GetFieldData());
+  if (source->GetInformation()->Has(vtkDataObject::DATA_TIME_STEP()))
+  {
+    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(),
+      source->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()));
+  }
+  const vtkIdType count = input->GetNumberOfPoints();
+  vtkNew<vtkDoubleArray> velocity;
+  velocity->SetName("Velocity");
+  velocity->SetNumberOfComponents(3);
+  velocity->SetNumberOfTuples(count);
+  vtkNew<vtkUnsignedCharArray> inside;
+  inside->SetName("Inside");
+  inside->SetNumberOfTuples(count);
+  try
+  {
+    const Flow flow(source);
+    for (vtkIdType first = 0; first < count && !this->GetAbortExecute(); first += block_size)
+    {
+      const vtkIdType size = std::min(block_size, count - first);
+      const auto block = flow.At(points_of(input, first, size));
+      std::copy_n(block.velocity.data(), 3 * size, velocity->GetPointer(3 * first));
+      std::copy_n(block.inside.data(), size, inside->GetPointer(first));
+      this->UpdateProgress(static_cast<double>(first + size) / static_cast<double>(count));
+    }
+  }
+  catch (const std::exception& error)
+  {
+    output->Initialize();
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+  if (this->GetAbortExecute())
+  {
+    output->Initialize();
+    return 1;
+  }
+  output->GetPointData()->AddArray(velocity);
+  output->GetPointData()->AddArray(inside);
+  output->GetPointData()->SetActiveVectors("Velocity");
+  return 1;
+}
+
+void vtkVesicleProbeFilter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Source: " << this->GetSource() << '\n';
+}

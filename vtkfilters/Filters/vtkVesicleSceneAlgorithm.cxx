@@ -1,0 +1,76 @@
+#include "vtkVesicleSceneAlgorithm.h"
+
+#include "SceneNumbers.h"
+
+#include "solver/Errors.h"
+
+#include <array>
+
+namespace
+{
+
+using vesicle::Scene;
+
+// In the order of Presets.
+constexpr std::array presets{ Scene::Preset::paper, Scene::Preset::fast, Scene::Preset::balanced,
+  Scene::Preset::accurate };
+constexpr const char* preset_names[] = { "paper", "fast", "balanced", "accurate" };
+constexpr const char* flow_names[] = { "at rest", "uniform", "shear", "planar extension",
+  "axisymmetric extension", "Poiseuille" };
+
+void require(bool condition, const char* what)
+{
+  if (!condition)
+  {
+    throw vesicle::InputError(what);
+  }
+}
+
+}
+
+Scene vtkVesicleSceneAlgorithm::MakeScene()
+{
+  require(this->Viscosity > 0, "Viscosity must be above 0");
+  require(this->FlowKind != Poiseuille || this->FlowRadius > 0, "FlowRadius must be above 0");
+  require(this->BondNumber == 0 || this->BendingRigidity > 0,
+    "a BondNumber takes a BendingRigidity above 0; without bending give DensityDifference");
+  Scene scene;
+  scene.accuracy = Scene::preset(presets[this->Preset]);
+  scene.time.tolerance = Scene::preset_tolerance(presets[this->Preset]);
+  if (this->BendingRigidity > 0)
+  {
+    scene.membrane.bending_rigidity = this->BendingRigidity;
+  }
+  scene.membrane.incompressible = this->Incompressible;
+  scene.fluid.viscosity = this->Viscosity;
+  scene.flow = vesicle::make_flow(
+    this->FlowKind, this->FlowRate, this->FlowVelocity, this->FlowRadius, this->FlowCenter);
+  if (this->BondNumber != 0)
+  {
+    scene.gravity.emplace().bond_number = this->BondNumber;
+  }
+  else if (this->DensityDifference != 0 && this->Acceleration != 0)
+  {
+    scene.gravity = { {}, this->DensityDifference, this->Acceleration };
+  }
+  return scene;
+}
+
+void vtkVesicleSceneAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const auto print = [&](const char* name, const double* v)
+  { os << indent << name << ": " << v[0] << ' ' << v[1] << ' ' << v[2] << '\n'; };
+  os << indent << "BendingRigidity: " << this->BendingRigidity << '\n';
+  os << indent << "Incompressible: " << (this->Incompressible ? "on" : "off") << '\n';
+  os << indent << "Viscosity: " << this->Viscosity << '\n';
+  os << indent << "FlowKind: " << flow_names[this->FlowKind] << '\n';
+  os << indent << "FlowRate: " << this->FlowRate << '\n';
+  print("FlowVelocity", this->FlowVelocity);
+  os << indent << "FlowRadius: " << this->FlowRadius << '\n';
+  print("FlowCenter", this->FlowCenter);
+  os << indent << "BondNumber: " << this->BondNumber << '\n';
+  os << indent << "DensityDifference: " << this->DensityDifference << '\n';
+  os << indent << "Acceleration: " << this->Acceleration << '\n';
+  os << indent << "Preset: " << preset_names[this->Preset] << '\n';
+}

@@ -1,0 +1,176 @@
+/**
+ * @class   vtkVesicleSceneAlgorithm
+ * @brief   what surrounds a vesicle and what its membrane is made of, as properties
+ *
+ * The superclass of the classes that solve for a vesicle's motion. Any consistent set of units does
+ * (all numbers 1: dimensionless; or metre, joule, pascal second): with lengths in m, energies in J
+ * and viscosity in Pa s, rates are in 1/s, velocities in m/s, tensions in N/m and force densities
+ * in N/m².
+ *
+ * The membrane has the energy E = (EB/2) ∮ (2H)² dS and, while Incompressible is on, a tension that
+ * keeps every patch's area. The fluid is the same inside and outside.
+ */
+
+#ifndef vtkVesicleSceneAlgorithm_h
+#define vtkVesicleSceneAlgorithm_h
+
+#include "VesicleFiltersModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#ifndef __VTK_WRAP__
+namespace vesicle
+{
+struct Scene;
+}
+#endif
+
+class VESICLEFILTERS_EXPORT vtkVesicleSceneAlgorithm : public vtkPolyDataAlgorithm
+{
+public:
+  vtkTypeMacro(vtkVesicleSceneAlgorithm, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum FlowKinds
+  {
+    AtRest,
+    Uniform,               ///< u = velocity
+    Shear,                 ///< u = rate z e_x
+    PlanarExtension,       ///< u = rate (x e_x − z e_z)
+    AxisymmetricExtension, ///< u = rate (z e_z − x/2 e_x − y/2 e_y)
+    Poiseuille             ///< u = velocity (1 − d²/radius²), d the distance to the tube's axis
+  };
+
+  enum Presets
+  {
+    Paper,    ///< flat elements, forces as the paper prints them (misprints corrected)
+    Fast,     ///< flat elements, forces in weak form
+    Balanced, ///< Loop's limit surface
+    Accurate  ///< the same with a finer quadrature
+  };
+
+  ///@{
+  /**
+   * EB, an energy, 0 or more; 0: no bending. Default: 1.
+   */
+  vtkSetClampMacro(BendingRigidity, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(BendingRigidity, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the membrane's area is kept everywhere by a tension. Default: on.
+   */
+  vtkSetMacro(Incompressible, bool);
+  vtkGetMacro(Incompressible, bool);
+  vtkBooleanMacro(Incompressible, bool);
+  ///@}
+
+  ///@{
+  /**
+   * μ of the fluid, a pressure times a time, above 0. Default: 1.
+   */
+  vtkSetMacro(Viscosity, double);
+  vtkGetMacro(Viscosity, double);
+  ///@}
+
+  ///@{
+  /**
+   * The flow far away, one of FlowKinds. Default: AtRest.
+   */
+  vtkSetClampMacro(FlowKind, int, AtRest, Poiseuille);
+  vtkGetMacro(FlowKind, int);
+  ///@}
+
+  ///@{
+  /**
+   * Rate of Shear and extensions, 1 over a time, of any sign. Default: 1.
+   */
+  vtkSetMacro(FlowRate, double);
+  vtkGetMacro(FlowRate, double);
+  ///@}
+
+  ///@{
+  /**
+   * Velocity of the Uniform flow, and of Poiseuille's on the tube's axis, whose direction it gives.
+   * Default: (1, 0, 0).
+   */
+  vtkSetVector3Macro(FlowVelocity, double);
+  vtkGetVector3Macro(FlowVelocity, double);
+  ///@}
+
+  ///@{
+  /**
+   * Radius of Poiseuille's tube, a length, above 0. (The profile alone: there is no wall.)
+   * Default: 5.
+   */
+  vtkSetMacro(FlowRadius, double);
+  vtkGetMacro(FlowRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * A point on the axis of Poiseuille's tube. Default: (0, 0, 0).
+   */
+  vtkSetVector3Macro(FlowCenter, double);
+  vtkGetVector3Macro(FlowCenter, double);
+  ///@}
+
+  ///@{
+  /**
+   * Gravity as Bo = Δρ g r0⁴/EB, no unit; above 0 the vesicle rises along +z. It takes bending. 0:
+   * see DensityDifference. Default: 0.
+   */
+  vtkSetMacro(BondNumber, double);
+  vtkGetMacro(BondNumber, double);
+  ///@}
+
+  ///@{
+  /**
+   * Gravity by the density of the fluid outside less that inside, and the acceleration along −z;
+   * the load is their product times z n, a force an area. Not used if there is a BondNumber.
+   * Default: 0 and 1.
+   */
+  vtkSetMacro(DensityDifference, double);
+  vtkGetMacro(DensityDifference, double);
+  vtkSetMacro(Acceleration, double);
+  vtkGetMacro(Acceleration, double);
+  ///@}
+
+  ///@{
+  /**
+   * How surface and forces are discretised, one of Presets. Loop's surface (Balanced, Accurate)
+   * wants a mesh with smoothly spaced points and tells by a warning if it hasn't got one; Fast
+   * takes any. Default: Balanced.
+   */
+  vtkSetClampMacro(Preset, int, Paper, Accurate);
+  vtkGetMacro(Preset, int);
+  ///@}
+
+protected:
+  vtkVesicleSceneAlgorithm() = default;
+  ~vtkVesicleSceneAlgorithm() override = default;
+
+#ifndef __VTK_WRAP__
+  /// A scene of these properties. Throws vesicle::InputError.
+  vesicle::Scene MakeScene();
+#endif
+
+  double BendingRigidity = 1;
+  bool Incompressible = true;
+  double Viscosity = 1;
+  int FlowKind = AtRest;
+  double FlowRate = 1;
+  double FlowVelocity[3] = { 1, 0, 0 };
+  double FlowRadius = 5;
+  double FlowCenter[3] = { 0, 0, 0 };
+  double BondNumber = 0;
+  double DensityDifference = 0;
+  double Acceleration = 1;
+  int Preset = Balanced;
+
+private:
+  vtkVesicleSceneAlgorithm(const vtkVesicleSceneAlgorithm&) = delete;
+  void operator=(const vtkVesicleSceneAlgorithm&) = delete;
+};
+
+#endif
