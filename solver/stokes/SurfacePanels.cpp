@@ -14,8 +14,9 @@ namespace
 
 constexpr int smooth_degree = 4;
 constexpr int max_terms = (smooth_degree + 1) * (smooth_degree + 2) / 2;
-// Levels of halving towards extraordinary vertices.
-constexpr int grading = 2;
+// Levels of halving towards extraordinary vertices, where the tension force goes with a curvature
+// that isn't smooth.
+constexpr int grading = 4;
 constexpr int components = 6;
 // Gauss–Newton for the nearest point: steps below this part of the panel end it. It converges where
 // x is nearer than the radius of curvature; elsewhere a rough answer does.

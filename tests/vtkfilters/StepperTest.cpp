@@ -12,10 +12,16 @@
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkReverseSense.h"
+#include "vtkSphereSource.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTransform.h"
+#include "vtkTransformPolyDataFilter.h"
+#include "vtkVesicleSource.h"
 
 #include <gtest/gtest.h>
 
@@ -262,6 +268,167 @@ TEST(Stepper, DeliversTheLastGoodStateWhenNoStepCanBeMade)
   EXPECT_TRUE(messages.any_error());
   EXPECT_EQ(stepper->GetOutput()->GetNumberOfPolys(), 80);
   EXPECT_FALSE(stepper->GetFinished());
+}
+
+TEST(Stepper, TimesInAnyOrderGiveTheShapesOfTheirTime)
+{
+  vtkNew<vtkVesicleStepper> stepper;
+  stepper->SetScene(scene());
+  std::vector<Points> shapes;
+  for (const double time : { 0., 0.5, 1., 0.5, 0. })
+  {
+    shapes.push_back(points_at(stepper, time));
+  }
+  EXPECT_EQ(shapes[1], shapes[3]);
+  EXPECT_EQ(shapes[0], shapes[4]);
+  EXPECT_NE(shapes[0], shapes[1]);
+  EXPECT_NE(shapes[1], shapes[2]);
+}
+
+TEST(Stepper, AsksForNothingTwice)
+{
+  vtkNew<vtkVesicleStepper> stepper;
+  stepper->SetScene(scene());
+  const Log log(stepper);
+  points_at(stepper, 0.5);
+  const std::size_t steps = log.times.size();
+  vtkSmartPointer<vtkPolyData> copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->DeepCopy(stepper->GetOutput());
+  const vtkMTimeType made = stepper->GetOutput()->GetMTime();
+  stepper->UpdateTimeStep(0.5);
+  EXPECT_EQ(stepper->GetOutput()->GetMTime(), made);
+  stepper->SetCacheSize(50); // nothing of the simulation
+  points_at(stepper, 0.5);
+  EXPECT_EQ(log.times.size(), steps);
+  points_at(stepper, 1);
+  EXPECT_NE(to_mesh(copy).points, to_mesh(stepper->GetOutput()).points) << "a copy stays";
+}
+
+TEST(Stepper, TakesItsSceneFromText)
+{
+  vtkNew<vtkVesicleStepper> by_scene, by_text;
+  by_scene->SetScene(scene({ "flow.rate=2.0" }));
+  by_text->SetSceneText(scene_text);
+  by_text->AddOverride("flow.rate=2.0");
+  EXPECT_EQ(points_at(by_text, 0.25), points_at(by_scene, 0.25));
+}
+
+TEST(Stepper, PropertiesAloneMakeAScene)
+{
+  vtkNew<vtkVesicleSource> shape;
+  shape->SetShape(vtkVesicleSource::Prolate);
+  shape->SetReducedVolume(0.95);
+  shape->SetTriangles(80);
+  vtkNew<vtkVesicleStepper> stepper, by_scene;
+  stepper->SetInputConnection(shape->GetOutputPort());
+  stepper->SetFlowKind(vtkVesicleStepper::Shear);
+  stepper->SetFlowRate(1);
+  stepper->SetPreset(vtkVesicleStepper::Fast);
+  stepper->SetEndTime(0.5);
+  stepper->SetOutputEvery(0.25);
+  by_scene->SetScene(scene({ "accuracy.preset=fast", "time.end=0.5" }));
+  by_scene->SetInputConnection(shape->GetOutputPort());
+  EXPECT_EQ(points_at(stepper, 0.5), points_at(by_scene, 0.5));
+  EXPECT_EQ(stepper->GetOutputInformation(0)->Length(Pipeline::TIME_STEPS()), 3);
+  EXPECT_TRUE(stepper->GetFinished());
+
+  stepper->SetFlowRate(2); // starts anew
+  EXPECT_NE(points_at(stepper, 0.5), points_at(by_scene, 0.5));
+  stepper->AddOverride("flow.rate=1.0");
+  EXPECT_EQ(points_at(stepper, 0.5), points_at(by_scene, 0.5));
+}
+
+TEST(Stepper, StartsAnewWhenTheInputChanges)
+{
+  vtkNew<vtkVesicleSource> shape;
+  shape->SetShape(vtkVesicleSource::Prolate);
+  shape->SetReducedVolume(0.95);
+  shape->SetTriangles(80);
+  vtkNew<vtkTransform> turn;
+  vtkNew<vtkTransformPolyDataFilter> turned;
+  turned->SetTransform(turn);
+  turned->SetInputConnection(shape->GetOutputPort());
+  turned->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  vtkNew<vtkVesicleStepper> stepper;
+  stepper->SetInputConnection(turned->GetOutputPort());
+  stepper->SetPreset(vtkVesicleStepper::Fast);
+  stepper->SetFlowKind(vtkVesicleStepper::Shear);
+  const Points upright = points_at(stepper, 0.1);
+  turn->RotateY(90);
+  const Points lying = points_at(stepper, 0.1);
+  EXPECT_GT((upright - lying).norm(), 1);
+  EXPECT_EQ(field(stepper->GetOutput(), "TimeValue"), 0.1);
+}
+
+TEST(Stepper, ArraysOfTheStartShapePassThrough)
+{
+  vtkNew<vtkPolyData> start;
+  {
+    vtkNew<vtkVesicleStepper> stepper;
+    stepper->SetScene(scene());
+    points_at(stepper, 0);
+    start->DeepCopy(stepper->GetOutput());
+  }
+  vtkNew<vtkIntArray> number;
+  number->SetName("number");
+  for (int i = 0; i < start->GetNumberOfPoints(); ++i)
+  {
+    number->InsertNextValue(i);
+  }
+  start->GetPointData()->AddArray(number);
+  vtkNew<vtkVesicleStepper> stepper;
+  stepper->SetScene(scene({ "membrane.incompressible=false" }));
+  stepper->SetInputData(start);
+  points_at(stepper, 0.1);
+  EXPECT_EQ(stepper->GetOutput()->GetPointData()->GetArray("number")->GetComponent(5, 0), 5);
+  EXPECT_FALSE(stepper->GetOutput()->GetPointData()->HasArray("Tension")) << "the start's";
+}
+
+TEST(Stepper, EmptyOrImpossibleStartShapes)
+{
+  const VtkMessages messages;
+  vtkNew<vtkVesicleStepper> stepper;
+  vtkNew<vtkPolyData> empty;
+  stepper->SetInputData(empty);
+  stepper->UpdateTimeStep(0.1);
+  EXPECT_FALSE(messages.any_error());
+  EXPECT_EQ(stepper->GetOutput()->GetNumberOfPoints(), 0);
+  vtkNew<vtkSphereSource> open;
+  open->SetEndPhi(90);
+  stepper->SetInputConnection(open->GetOutputPort());
+  stepper->UpdateTimeStep(0.1);
+  EXPECT_EQ(stepper->GetErrorCategory(), vtkVesicleStepper::InputFailure);
+  EXPECT_NE(std::string(stepper->GetErrorMessage()).find("open border"), std::string::npos);
+}
+
+// Observers take errors and warnings off the output window.
+TEST(Stepper, ErrorsAndWarningsGoToObservers)
+{
+  struct Heard
+  {
+    int errors = 0, warnings = 0;
+    void note(vtkObject*, unsigned long event, void*)
+    {
+      ++(event == vtkCommand::ErrorEvent ? errors : warnings);
+    }
+  } heard;
+  vtkNew<vtkVesicleSource> sphere;
+  sphere->SetTriangles(80);
+  vtkNew<vtkReverseSense> inward;
+  inward->SetInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkVesicleStepper> stepper;
+  stepper->AddObserver(vtkCommand::ErrorEvent, &heard, &Heard::note);
+  stepper->AddObserver(vtkCommand::WarningEvent, &heard, &Heard::note);
+  stepper->SetInputConnection(inward->GetOutputPort());
+  stepper->UpdateTimeStep(0);
+  EXPECT_EQ(heard.warnings, 1);
+  EXPECT_EQ(heard.errors, 0) << stepper->GetErrorMessage();
+  stepper->UpdateTimeStep(0.01);
+  EXPECT_EQ(heard.warnings, 1) << "said once";
+  stepper->SetViscosity(-1);
+  const VtkMessages executive;
+  stepper->UpdateTimeStep(0);
+  EXPECT_GE(heard.errors, 1);
 }
 
 }

@@ -6,6 +6,7 @@
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
+#include "vtkCleanPolyData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -20,6 +21,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -58,6 +60,17 @@ bool is_ignored(int cell_type)
 {
   return cell_type == VTK_VERTEX || cell_type == VTK_POLY_VERTEX || cell_type == VTK_LINE ||
     cell_type == VTK_POLY_LINE || cell_type == VTK_EMPTY_CELL;
+}
+
+bool uses_all_points(vtkPolyData* surface)
+{
+  const auto mesh = to_mesh(surface);
+  std::vector<bool> used(mesh.points.rows(), false);
+  for (const int vertex : mesh.triangles.reshaped())
+  {
+    used[vertex] = true;
+  }
+  return std::find(used.begin(), used.end(), false) == used.end();
 }
 
 }
@@ -222,6 +235,21 @@ vtkSmartPointer<vtkPolyData> triangulated(vtkPolyData* surface)
   triangles->PassLinesOff();
   triangles->Update();
   return triangles->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> membrane_of(vtkPolyData* input)
+{
+  auto surface = triangulated(input);
+  if (surface->GetNumberOfPolys() == 0 || uses_all_points(surface))
+  {
+    return surface;
+  }
+  vtkNew<vtkCleanPolyData> clean;
+  clean->SetInputData(surface);
+  clean->PointMergingOff();
+  clean->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  clean->Update();
+  return clean->GetOutput();
 }
 
 }

@@ -50,4 +50,7 @@ VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> polygons_of(
 /// Polygons and strips cut into triangles, vertices and lines left out; the arrays pass through.
 VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> triangulated(vtkPolyData* surface);
 
+/// Triangles as triangulated() makes them and the points that they use, with all arrays.
+VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> membrane_of(vtkPolyData* surface);
+
 }

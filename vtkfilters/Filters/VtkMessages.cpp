@@ -37,6 +37,13 @@ public:
 };
 vtkStandardNewMacro(Collector);
 
+/// The output window is one for the whole process.
+std::recursive_mutex& turns()
+{
+  static std::recursive_mutex mutex;
+  return mutex;
+}
+
 /// "… line 12\nvtkClass (0x55…): what happened\nmore" without what only a debugger needs.
 std::string what_happened(std::string text)
 {
@@ -48,7 +55,7 @@ std::string what_happened(std::string text)
 }
 
 VtkMessages::VtkMessages()
-  : before_(vtkOutputWindow::GetInstance()),
+  : lock_(turns()), before_(vtkOutputWindow::GetInstance()),
     collector_(vtk::TakeSmartPointer<vtkOutputWindow>(Collector::New()))
 {
   vtkOutputWindow::SetInstance(collector_);

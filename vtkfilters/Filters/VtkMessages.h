@@ -6,6 +6,7 @@
 #include "vtkLogger.h"
 #include "vtkSmartPointer.h"
 
+#include <mutex>
 #include <string>
 
 class vtkOutputWindow;
@@ -13,8 +14,8 @@ class vtkOutputWindow;
 namespace vesicle
 {
 
-/// While in scope, VTK's messages of all objects are kept instead of printed. For one thread at a
-/// time.
+/// While in scope, VTK's messages of all objects and threads are kept instead of printed. Another
+/// thread that wants the same waits.
 class VESICLEFILTERS_EXPORT VtkMessages
 {
 public:
@@ -29,6 +30,7 @@ public:
   std::string first_warning() const;
 
 private:
+  std::unique_lock<std::recursive_mutex> lock_;
   vtkSmartPointer<vtkOutputWindow> before_;
   vtkSmartPointer<vtkOutputWindow> collector_;
   vtkLogger::Verbosity verbosity_ = vtkLogger::GetCurrentVerbosityCutoff();

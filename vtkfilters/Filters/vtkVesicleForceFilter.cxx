@@ -6,49 +6,18 @@
 #include "solver/Errors.h"
 #include "solver/dynamics/Simulation.h"
 
-#include "vtkCleanPolyData.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
 #include <string>
-#include <vector>
 
 namespace
 {
 
 using vesicle::Simulation;
-
-bool uses_all_points(vtkPolyData* surface)
-{
-  const auto mesh = vesicle::to_mesh(surface);
-  std::vector<bool> used(mesh.points.rows(), false);
-  for (const int vertex : mesh.triangles.reshaped())
-  {
-    used[vertex] = true;
-  }
-  return std::find(used.begin(), used.end(), false) == used.end();
-}
-
-/// Triangles and the points that they use, with all arrays.
-vtkSmartPointer<vtkPolyData> membrane_of(vtkPolyData* input)
-{
-  auto surface = vesicle::triangulated(input);
-  if (surface->GetNumberOfPolys() == 0 || uses_all_points(surface))
-  {
-    return surface;
-  }
-  vtkNew<vtkCleanPolyData> clean;
-  clean->SetInputData(surface);
-  clean->PointMergingOff();
-  clean->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  clean->Update();
-  return clean->GetOutput();
-}
 
 void solve(const vesicle::Scene& scene, const Simulation& simulation, vtkPolyData* output)
 {
@@ -76,7 +45,7 @@ int vtkVesicleForceFilter::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   try
   {
-    output->ShallowCopy(membrane_of(input));
+    output->ShallowCopy(vesicle::membrane_of(input));
     if (output->GetNumberOfPolys() == 0)
     {
       vtkWarningMacro(<< "the input has no triangles: there is nothing to solve for");

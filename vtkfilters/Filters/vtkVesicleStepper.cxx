@@ -99,6 +99,7 @@ std::vector<double> output_times(double from, double every, double end)
 struct vtkVesicleStepper::Internals
 {
   std::string SceneFileName;
+  std::string SceneText;
   std::vector<std::string> Overrides;
   std::optional<Scene> GivenScene;
   std::optional<State> GivenState;
@@ -108,6 +109,7 @@ struct vtkVesicleStepper::Internals
 
   // What the settings above led to.
   Scene CurrentScene;
+  std::string PropertiesText; // the scene of the properties as TOML
   vtkMTimeType SceneTime = 0;
   std::unique_ptr<Simulation> Sim;
   std::unique_ptr<vesicle::Trajectory> Path;
@@ -116,32 +118,28 @@ struct vtkVesicleStepper::Internals
   std::optional<Diagnostics> LastDiagnostics;
   std::int64_t DiagnosedStep = -1;
 
-  void ReadScene()
+  /// A scene that isn't the properties'.
+  bool HasScene() const
   {
-    if (this->SceneTime >= this->Changed)
-    {
-      return;
-    }
-    if (this->GivenScene)
-    {
-      this->CurrentScene = *this->GivenScene;
-    }
-    else if (this->SceneFileName.empty())
-    {
-      throw vesicle::InputError("no scene: set SceneFileName");
-    }
-    else
-    {
-      this->CurrentScene = vesicle::read_scene(this->SceneFileName, this->Overrides);
-    }
-    this->SceneTime = this->Changed;
+    return this->GivenScene || !this->SceneFileName.empty() || !this->SceneText.empty();
   }
 
-  vesicle::TriangleMesh StartMesh(vtkPolyData* input, std::string& notes) const
+  Scene ReadScene() const
   {
-    if (input)
+    if (this->GivenScene)
     {
-      return vesicle::to_mesh(input);
+      return *this->GivenScene;
+    }
+    return this->SceneFileName.empty()
+      ? vesicle::parse_scene(this->SceneText, "SceneText", ".", this->Overrides)
+      : vesicle::read_scene(this->SceneFileName, this->Overrides);
+  }
+
+  vesicle::TriangleMesh StartMesh(vtkPolyData* start, std::string& notes) const
+  {
+    if (start)
+    {
+      return vesicle::to_mesh(start);
     }
     const auto& file = this->CurrentScene.vesicle.mesh_file;
     return file ? vesicle::place_start_mesh(
@@ -149,22 +147,15 @@ struct vtkVesicleStepper::Internals
                 : vesicle::make_start_mesh(this->CurrentScene);
   }
 
-  void Prepare(vtkPolyData* input, int cache_size)
+  void StartAnew(vtkPolyData* start, int cache_size)
   {
-    const vtkMTimeType input_time = input ? input->GetMTime() : 0;
-    const vtkMTimeType needed = std::max(this->Changed.GetMTime(), input_time);
-    if (this->Path && this->SimulationTime >= needed)
-    {
-      return;
-    }
     this->Path.reset();
     std::string notes;
-    vesicle::TriangleMesh mesh = this->StartMesh(input, notes);
+    vesicle::TriangleMesh mesh = this->StartMesh(start, notes);
     this->Sim = std::make_unique<Simulation>(this->CurrentScene, std::move(mesh), notes);
-    State start = this->GivenState ? *this->GivenState : this->Sim->start();
-    this->Path = std::make_unique<vesicle::Trajectory>(*this->Sim, std::move(start), cache_size);
+    State first = this->GivenState ? *this->GivenState : this->Sim->start();
+    this->Path = std::make_unique<vesicle::Trajectory>(*this->Sim, std::move(first), cache_size);
     this->DiagnosedStep = -1;
-    this->SimulationTime = needed;
   }
 
   const Diagnostics& Diagnose()
@@ -203,8 +194,12 @@ struct vtkVesicleStepper::Internals
     vesicle::add_medium(this->CurrentScene, to);
   }
 
-  void Deliver(const Moment& moment, vtkPolyData* output)
+  void Deliver(const Moment& moment, vtkPolyData* start, vtkPolyData* output)
   {
+    if (start)
+    {
+      output->ShallowCopy(vesicle::membrane_of(start));
+    }
     output->SetPoints(vesicle::to_vtk_points(points_at(*this->Sim, moment)));
     output->SetPolys(vesicle::to_cells(this->Sim->triangles()));
     vesicle::add_fields(fields_at(*this->Sim, moment), this->CurrentScene, output);
@@ -233,6 +228,18 @@ void vtkVesicleStepper::SetSceneFileName(const char* name)
   this->Internal->SceneFileName = name ? name : "";
   this->Internal->GivenScene.reset();
   this->SettingsChanged();
+}
+
+void vtkVesicleStepper::SetSceneText(const char* text)
+{
+  this->Internal->SceneText = text ? text : "";
+  this->Internal->GivenScene.reset();
+  this->SettingsChanged();
+}
+
+const char* vtkVesicleStepper::GetSceneText()
+{
+  return this->Internal->SceneText.c_str();
 }
 
 const char* vtkVesicleStepper::GetSceneFileName()
@@ -344,11 +351,98 @@ bool vtkVesicleStepper::Guarded(const Work& work)
   return false;
 }
 
+Scene vtkVesicleStepper::SceneOfProperties()
+{
+  if (this->GetNumberOfInputConnections(0) == 0)
+  {
+    throw vesicle::InputError("neither a scene nor a start shape: set SceneFileName or SceneText, "
+                              "or connect a start shape (vtkVesicleSource)");
+  }
+  if (!(this->OutputEvery > 0))
+  {
+    throw vesicle::InputError("OutputEvery must be above 0");
+  }
+  Scene scene = this->MakeScene();
+  scene.time.output_every = this->OutputEvery;
+  if (this->EndTime > 0)
+  {
+    scene.time.end = this->EndTime;
+  }
+  if (this->TimeStep > 0)
+  {
+    scene.time.step = this->TimeStep;
+  }
+  if (this->Tolerance > 0)
+  {
+    scene.time.tolerance = this->Tolerance;
+  }
+  return scene;
+}
+
+void vtkVesicleStepper::ReadScene()
+{
+  auto& internal = *this->Internal;
+  if (!internal.HasScene())
+  {
+    // What the properties say is compared as text: then it doesn't matter which one was set.
+    const std::string text = vesicle::write_scene(this->SceneOfProperties());
+    if (text != internal.PropertiesText)
+    {
+      internal.PropertiesText = text;
+      internal.Changed.Modified();
+    }
+  }
+  if (internal.SceneTime >= internal.Changed)
+  {
+    return;
+  }
+  internal.CurrentScene = internal.HasScene()
+    ? internal.ReadScene()
+    : vesicle::parse_scene(internal.PropertiesText, "properties", ".", internal.Overrides);
+  internal.SceneTime = internal.Changed;
+}
+
+void vtkVesicleStepper::Prepare(vtkPolyData* start)
+{
+  auto& internal = *this->Internal;
+  this->ReadScene();
+  const vtkMTimeType needed =
+    std::max(internal.Changed.GetMTime(), start ? start->GetMTime() : vtkMTimeType(0));
+  if (internal.Path && internal.SimulationTime >= needed)
+  {
+    return;
+  }
+  internal.StartAnew(start ? vesicle::membrane_of(start).Get() : nullptr, this->CacheSize);
+  internal.SimulationTime = needed;
+  if (!internal.Sim->notes().empty())
+  {
+    vtkWarningMacro(<< internal.Sim->notes());
+  }
+}
+
+int vtkVesicleStepper::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  // The time that is asked for is this simulation's, not the start shape's.
+  if (vtkInformation* input = inputs[0]->GetInformationObject(0))
+  {
+    if (input->Has(Pipeline::TIME_STEPS()))
+    {
+      input->Set(Pipeline::UPDATE_TIME_STEP(), input->Get(Pipeline::TIME_STEPS())[0]);
+    }
+    else
+    {
+      input->Remove(Pipeline::UPDATE_TIME_STEP());
+    }
+  }
+  return 1;
+}
+
 int vtkVesicleStepper::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   this->ForgetFailure();
-  if (!this->Guarded([&] { this->Internal->ReadScene(); }))
+  if (!this->Guarded([&] { this->ReadScene(); }))
   {
     return 0;
   }
@@ -400,13 +494,14 @@ int vtkVesicleStepper::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   vtkInformation* info = outputs->GetInformationObject(0);
   auto& internal = *this->Internal;
+  vtkPolyData* start = vtkPolyData::GetData(inputs[0]);
   this->ForgetFailure();
-  if (!this->Guarded(
-        [&]
-        {
-          internal.ReadScene();
-          internal.Prepare(vtkPolyData::GetData(inputs[0]), this->CacheSize);
-        }))
+  if (start && start->GetNumberOfCells() == 0)
+  {
+    vtkWarningMacro(<< "the start shape is empty: there is nothing to simulate");
+    return 1;
+  }
+  if (!this->Guarded([&] { this->Prepare(start); }))
   {
     return 0;
   }
@@ -414,19 +509,26 @@ int vtkVesicleStepper::RequestData(
     ? info->Get(Pipeline::UPDATE_TIME_STEP())
     : internal.Path->start_time();
   this->Guarded([&] { this->AdvanceTo(time); }); // after a failure the last good state is delivered
-  return this->Guarded([&] { internal.Deliver(internal.Path->at(time), output); });
+  return this->Guarded([&] { internal.Deliver(internal.Path->at(time), start, output); });
 }
 
 void vtkVesicleStepper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SceneFileName: " << this->GetSceneFileName() << '\n';
+  os << indent << "SceneText: " << this->GetSceneText() << '\n';
   for (const auto& setting : this->Internal->Overrides)
   {
     os << indent << "Override: " << setting << '\n';
   }
+  os << indent << "EndTime: " << this->EndTime << '\n';
+  os << indent << "OutputEvery: " << this->OutputEvery << '\n';
+  os << indent << "TimeStep: " << this->TimeStep << '\n';
+  os << indent << "Tolerance: " << this->Tolerance << '\n';
   os << indent << "CacheSize: " << this->CacheSize << '\n';
   os << indent << "ErrorCategory: " << this->ErrorCategory << '\n';
   os << indent << "ErrorMessage: " << this->GetErrorMessage() << '\n';
   os << indent << "StateTime: " << this->GetStateTime() << '\n';
+  os << indent << "NumberOfSteps: " << this->GetNumberOfSteps() << '\n';
+  os << indent << "Finished: " << (this->GetFinished() ? "yes" : "no") << '\n';
 }

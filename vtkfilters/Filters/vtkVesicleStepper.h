@@ -3,8 +3,16 @@
  * @brief   a vesicle simulation as a time-dependent source
  *
  * vtkVesicleStepper owns a simulation and makes accepted steps until it can answer the time that
- * the pipeline asks for. The start mesh is the optional input, as it is (in the units of the
- * scene), or else what the scene's [vesicle] table says.
+ * the pipeline asks for.
+ *
+ * The scene is that of SceneFileName, or else SceneText, or else it is made of the properties:
+ * vtkVesicleSceneAlgorithm's and EndTime, OutputEvery, TimeStep, Tolerance (which a file or text
+ * leaves unused). Overrides replace single settings of each of them. The start mesh is the optional
+ * input, as it is (in the units of the scene; at its first time, if it has several), or else what
+ * the scene's [vesicle] table says; with properties alone an input is needed. It must be a closed
+ * surface of genus 0; polygons and strips are cut into triangles; an empty one gives empty output.
+ * Arrays of the input pass through, and stay with the mesh's points and triangles (which slide
+ * along the membrane, unless accuracy.mesh_motion is "material").
  *
  * Time: TIME_STEPS are the multiples of the scene's output_every up to its end, which are hit
  * exactly; TIME_RANGE is [start, end]. A scene that ends when it is steady announces TIME_RANGE
@@ -17,18 +25,20 @@
  *
  * Output: triangles with double precision points and the point arrays that the scene has among
  * Mean_Curvature, Gauss_Curvature, Laplacian_Mean_Curvature, Normals, Bending_Force, Tension,
- * Tension_Force, Membrane_Force, Velocity, Surface_Divergence (the scene's output.fields chooses);
- * field data TimeValue, Area, Volume, Reduced_Volume, Bending_Energy, Area_Drift, Volume_Drift. All
+ * Tension_Force, Membrane_Force, Gravity_Force, Velocity, Surface_Divergence (the scene's
+ * output.fields chooses); field data TimeValue, Area, Volume, Reduced_Volume, Bending_Energy,
+ * Area_Drift, Volume_Drift, and what vtkVesicleProbeFilter needs to find the velocity anywhere. All
  * in the units of the scene. Mean curvature is 1/R on a sphere of radius R, n points outward, force
  * densities are what the membrane exerts on the fluid.
  *
  * Events: StepAcceptedEvent after every accepted step (not for those made again), ProgressEvent
  * with the share of the way to the requested time. SetAbortExecute(1), from an observer, ends the
  * update cleanly after the step; the output is then the last state, and the next update goes on
- * from there.
+ * from there (after Modified(), if it is for the same time).
  *
  * Errors: what can't be used (scene, mesh) fails the update. When no step can be made any more, the
- * update delivers the last good state and reports an error. GetErrorCategory tells them apart.
+ * update delivers the last good state and reports an error. GetErrorCategory tells them apart. What
+ * was changed in the start mesh, and a mesh too rough for the preset, are warnings.
  *
  * The method is that of G. Boedec, M. Leonetti, M. Jaeger, 3D vesicle dynamics simulations with a
  * linearly triangulated surface, J. Comput. Phys. 230 (2011) 1020: boundary integrals of the
@@ -38,9 +48,8 @@
 #ifndef vtkVesicleStepper_h
 #define vtkVesicleStepper_h
 
-#include "VesicleFiltersModule.h" // for the export macro
-#include "vtkCommand.h"           // for the event
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkCommand.h" // for the event
+#include "vtkVesicleSceneAlgorithm.h"
 
 #ifndef __VTK_WRAP__
 #include <memory> // for the internals
@@ -54,11 +63,11 @@ struct State;
 }
 #endif
 
-class VESICLEFILTERS_EXPORT vtkVesicleStepper : public vtkPolyDataAlgorithm
+class VESICLEFILTERS_EXPORT vtkVesicleStepper : public vtkVesicleSceneAlgorithm
 {
 public:
   static vtkVesicleStepper* New();
-  vtkTypeMacro(vtkVesicleStepper, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkVesicleStepper, vtkVesicleSceneAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum Events
@@ -76,8 +85,7 @@ public:
 
   ///@{
   /**
-   * The scene, a TOML file. Default: none; a scene is needed. Setting it
-   * reads the file again and starts anew.
+   * The scene, a TOML file. Default: none. Setting it reads the file again and starts anew.
    */
   virtual void SetSceneFileName(const char* name);
   const char* GetSceneFileName();
@@ -85,11 +93,52 @@ public:
 
   ///@{
   /**
-   * Settings that replace the scene file's, as "table.key=value". Default: none.
+   * The scene as TOML itself. Files that it names are looked for from the current folder.
+   * Default: none.
+   */
+  virtual void SetSceneText(const char* text);
+  const char* GetSceneText();
+  ///@}
+
+  ///@{
+  /**
+   * Settings that replace the scene's, as "table.key=value". Default: none.
    */
   void AddOverride(const char* setting);
   void RemoveAllOverrides();
   int GetNumberOfOverrides();
+  ///@}
+
+  ///@{
+  /**
+   * Where the simulation ends, a time; 0: when the shape is steady. Default: 1.
+   */
+  vtkSetClampMacro(EndTime, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(EndTime, double);
+  ///@}
+
+  ///@{
+  /**
+   * Interval of the announced times, a time above 0. Default: 0.1.
+   */
+  vtkSetMacro(OutputEvery, double);
+  vtkGetMacro(OutputEvery, double);
+  ///@}
+
+  ///@{
+  /**
+   * Length of the steps, a time; 0: chosen and changed so that Tolerance holds. Default: 0.
+   */
+  vtkSetClampMacro(TimeStep, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(TimeStep, double);
+  ///@}
+
+  ///@{
+  /**
+   * Error of the position that a step may make, in units of r0; 0: the Preset's. Default: 0.
+   */
+  vtkSetClampMacro(Tolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Tolerance, double);
   ///@}
 
   ///@{
@@ -138,8 +187,13 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
+  double EndTime = 1;
+  double OutputEvery = 0.1;
+  double TimeStep = 0;
+  double Tolerance = 0;
   int CacheSize = 200;
   int ErrorCategory = NoFailure;
 
@@ -153,6 +207,9 @@ private:
   bool Guarded(const Work& work);
   void ForgetFailure();
   void SettingsChanged();
+  vesicle::Scene SceneOfProperties();
+  void ReadScene();
+  void Prepare(vtkPolyData* start);
   void AdvanceTo(double time);
   void ShareProgress(double from, double to);
 

@@ -103,8 +103,7 @@ TEST_P(Instant, ForcesMakeTheVelocityOfTheMembrane)
 }
 
 INSTANTIATE_TEST_SUITE_P(Presets, Instant,
-  testing::Values(
-    Scene::Preset::paper, Scene::Preset::fast, Scene::Preset::balanced, Scene::Preset::accurate));
+  testing::Values(Scene::Preset::paper, Scene::Preset::fast, Scene::Preset::balanced));
 
 // An inextensible sphere rises as a rigid one: the fluid inside goes with it, that outside as
 // around a solid sphere.

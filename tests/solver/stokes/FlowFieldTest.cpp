@@ -181,7 +181,7 @@ TEST(FlowField, AgreesWithTheSingleLayerAtTheVertices)
   for (int level = 0; level < 2; ++level)
   {
     const LinearBasis basis(mesh.triangles, static_cast<int>(mesh.points.rows()));
-    const SingleLayer layer(basis, { level == 0 ? 3 : 12, 0, 4, 8 });
+    const SingleLayer layer(basis, { level == 0 ? 3 : 12, 0, 0, 4, 8 });
     DenseMatrix S;
     layer.assemble(mesh.points, mesh.points, S);
     Eigen::VectorXd u;
