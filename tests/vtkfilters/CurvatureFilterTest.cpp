@@ -3,8 +3,9 @@
 #include "vtkfilters/Filters/MeshConversion.h"
 #include "vtkfilters/Filters/VtkMessages.h"
 
-#include "solver/mesh/Shapes.h"
+#include "tests/solver/support/TestMeshes.h"
 
+#include "vtkCurvatures.h"
 #include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -91,7 +92,6 @@ TEST(CurvatureFilter, SphereHasItsCurvaturesEverywhere)
     array(output, "Normals")->GetTuple(i, normal);
     EXPECT_NEAR(normal[0] * point[0] + normal[1] * point[1] + normal[2] * point[2], radius, 0.01);
   }
-  EXPECT_EQ(std::string(output->GetPointData()->GetScalars()->GetName()), "Mean_Curvature");
   EXPECT_EQ(output->GetPoints()->GetDataType(), VTK_DOUBLE);
 }
 
@@ -198,6 +198,92 @@ TEST(CurvatureFilter, NothingToDoIsAWarning)
   EXPECT_EQ(with_curvature(empty)->GetNumberOfPolys(), 0);
   EXPECT_FALSE(messages.any_error());
   EXPECT_NE(messages.first_warning().find("no triangles"), std::string::npos);
+}
+
+/// What a pipeline written for vtkCurvatures does with its filter: active scalars, over the
+/// vertices that both know.
+template<class Filter>
+std::vector<double> scalars_of(int type, bool inverted)
+{
+  vtkNew<vtkSphereSource> source;
+  source->SetThetaResolution(40);
+  source->SetPhiResolution(40);
+  source->SetRadius(0.5);
+  vtkNew<Filter> filter;
+  filter->SetInputConnection(source->GetOutputPort());
+  switch (type)
+  {
+    case VTK_CURVATURE_GAUSS:
+      filter->SetCurvatureTypeToGaussian();
+      break;
+    case VTK_CURVATURE_MEAN:
+      filter->SetCurvatureTypeToMean();
+      break;
+    case VTK_CURVATURE_MAXIMUM:
+      filter->SetCurvatureTypeToMaximum();
+      break;
+    case VTK_CURVATURE_MINIMUM:
+      filter->SetCurvatureTypeToMinimum();
+      break;
+  }
+  filter->SetInvertMeanCurvature(inverted);
+  filter->Update();
+  vtkDataArray* scalars = filter->GetOutput()->GetPointData()->GetScalars();
+  EXPECT_NE(scalars, nullptr);
+  std::vector<double> values{ static_cast<double>(scalars->GetName()[2]) }; // "Ga…", "Me…", …
+  for (vtkIdType i = 2; i < scalars->GetNumberOfTuples(); ++i)              // not the poles
+  {
+    values.push_back(scalars->GetComponent(i, 0));
+  }
+  return values;
+}
+
+TEST(CurvatureFilter, TakesThePlaceOfVtkCurvatures)
+{
+  for (const bool inverted : { false, true })
+  {
+    for (int type = VTK_CURVATURE_GAUSS; type <= VTK_CURVATURE_MINIMUM; ++type)
+    {
+      const auto ours = scalars_of<vtkVesicleCurvatureFilter>(type, inverted);
+      const auto vtks = scalars_of<vtkCurvatures>(type, inverted);
+      ASSERT_EQ(ours.size(), vtks.size());
+      EXPECT_EQ(ours[0], vtks[0]) << "the name";
+      double ours_sum = 0, vtks_sum = 0;
+      for (std::size_t i = 1; i < ours.size(); ++i)
+      {
+        ours_sum += ours[i];
+        vtks_sum += vtks[i];
+      }
+      EXPECT_NEAR(ours_sum / vtks_sum, 1, 0.2) << type << inverted;
+    }
+  }
+  vtkNew<vtkVesicleCurvatureFilter> ours;
+  vtkNew<vtkCurvatures> vtks;
+  EXPECT_EQ(ours->GetCurvatureType(), vtks->GetCurvatureType()) << "the default";
+}
+
+// Of the spheroid 2:1:1 at its equator and tips.
+TEST(CurvatureFilter, PrincipalCurvatures)
+{
+  const auto input = to_polydata(mapped(smooth_sphere(1280), ellipsoid_2_1_1));
+  for (const int type : { VTK_CURVATURE_MAXIMUM, VTK_CURVATURE_MINIMUM })
+  {
+    vtkNew<vtkVesicleCurvatureFilter> filter;
+    filter->SetInputData(input);
+    filter->SetCurvatureType(type);
+    filter->Update();
+    vtkDataArray* scalars = filter->GetOutput()->GetPointData()->GetScalars();
+    for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
+    {
+      // x²/4 + ρ² = 1: 1/√(ρ² + x²/16) across; along, its cube over 4.
+      const double x = input->GetPoint(i)[0];
+      const double across = 1 / std::sqrt(1 - 3 * x * x / 16);
+      const double along = across * across * across / 4;
+      const double exact =
+        type == VTK_CURVATURE_MAXIMUM ? std::max(across, along) : std::min(across, along);
+      EXPECT_NEAR(scalars->GetComponent(i, 0), exact, 0.05);
+    }
+  }
 }
 
 }

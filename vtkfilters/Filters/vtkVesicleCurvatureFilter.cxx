@@ -11,11 +11,13 @@
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -141,8 +143,35 @@ void add_curvatures(const TriangleMesh& mesh, int scheme, double rigidity, vtkPo
   arrays->AddArray(vesicle::to_array("Bending_Force", force));
   arrays->AddArray(to_array("Curvature_Valid", valid));
   arrays->AddArray(to_array("Bending_Force_Valid", force_valid));
-  arrays->SetScalars(vesicle::to_array("Mean_Curvature", curvature.mean));
+  arrays->AddArray(vesicle::to_array("Mean_Curvature", curvature.mean));
   arrays->SetNormals(vesicle::to_array("Normals", curvature.normal));
+}
+
+// In the order of VTK_CURVATURE_GAUSS, …
+constexpr const char* type_names[] = { "Gauss_Curvature", "Mean_Curvature", "Maximum_Curvature",
+  "Minimum_Curvature" };
+
+void invert(vtkDataArray* array)
+{
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    array->SetComponent(i, 0, -array->GetComponent(i, 0));
+  }
+}
+
+/// H + sign √(H² − K); the fits leave H² − K below 0 at most by their error.
+void add_principal_curvature(const char* name, double sign, vtkPointData* arrays)
+{
+  vtkDataArray *mean = arrays->GetArray("Mean_Curvature"),
+               *gauss = arrays->GetArray("Gauss_Curvature");
+  vtkNew<vtkDoubleArray> principal;
+  principal->SetName(name);
+  for (vtkIdType i = 0; i < mean->GetNumberOfTuples(); ++i)
+  {
+    const double H = mean->GetComponent(i, 0), K = gauss->GetComponent(i, 0);
+    principal->InsertNextValue(H + sign * std::sqrt(std::max(0.0, H * H - K)));
+  }
+  arrays->AddArray(principal);
 }
 
 }
@@ -194,7 +223,18 @@ int vtkVesicleCurvatureFilter::RequestData(
       flip(mesh.triangles);
     }
     vesicle::use_double_points(output);
-    add_curvatures(mesh, this->Scheme, this->BendingRigidity, output->GetPointData());
+    vtkPointData* arrays = output->GetPointData();
+    add_curvatures(mesh, this->Scheme, this->BendingRigidity, arrays);
+    if (this->InvertMeanCurvature)
+    {
+      invert(arrays->GetArray("Mean_Curvature"));
+    }
+    if (this->CurvatureType >= VTK_CURVATURE_MAXIMUM)
+    {
+      add_principal_curvature(type_names[this->CurvatureType],
+        this->CurvatureType == VTK_CURVATURE_MAXIMUM ? 1 : -1, arrays);
+    }
+    arrays->SetActiveScalars(type_names[this->CurvatureType]);
     return 1;
   }
   catch (const std::exception& error)
@@ -207,6 +247,8 @@ int vtkVesicleCurvatureFilter::RequestData(
 void vtkVesicleCurvatureFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "CurvatureType: " << type_names[this->CurvatureType] << '\n';
+  os << indent << "InvertMeanCurvature: " << (this->InvertMeanCurvature ? "on" : "off") << '\n';
   os << indent << "Scheme: " << this->GetSchemeName() << '\n';
   os << indent << "BendingRigidity: " << this->BendingRigidity << '\n';
   os << indent << "OrientOutward: " << (this->OrientOutward ? "on" : "off") << '\n';

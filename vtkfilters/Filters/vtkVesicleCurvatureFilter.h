@@ -5,8 +5,10 @@
  * Adds these point arrays to any surface mesh, open or closed (polygons and strips are cut into
  * triangles first; vertices and lines are dropped; all other arrays pass through):
  *
- * - Mean_Curvature H, the active scalars, and Gauss_Curvature K: the names of vtkCurvatures, so
- * that the filter takes its place in a pipeline.
+ * - Mean_Curvature H and Gauss_Curvature K; with CurvatureType Maximum or Minimum also
+ * Maximum_Curvature or Minimum_Curvature, H ± √(H² − K). Names, CurvatureType (which makes one of
+ * them the active scalars) and InvertMeanCurvature are those of vtkCurvatures, whose place the
+ * filter takes in a pipeline by its class name alone.
  * - Laplacian_Mean_Curvature Δ_s H, the Laplace–Beltrami operator of H.
  * - Normals n, unit vectors.
  * - Bending_Force, the force density (a vector, force an area) that a membrane of Helfrich energy
@@ -48,6 +50,12 @@
 #include "VesicleFiltersModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
+// As in vtkCurvatures.h, word for word: both may be included.
+#define VTK_CURVATURE_GAUSS 0
+#define VTK_CURVATURE_MEAN 1
+#define VTK_CURVATURE_MAXIMUM 2
+#define VTK_CURVATURE_MINIMUM 3
+
 class VESICLEFILTERS_EXPORT vtkVesicleCurvatureFilter : public vtkPolyDataAlgorithm
 {
 public:
@@ -61,6 +69,28 @@ public:
     Cotan,
     Loop
   };
+
+  ///@{
+  /**
+   * Which curvature becomes the active scalars. Default: Gaussian, as in vtkCurvatures.
+   */
+  vtkSetClampMacro(CurvatureType, int, VTK_CURVATURE_GAUSS, VTK_CURVATURE_MINIMUM);
+  vtkGetMacro(CurvatureType, int);
+  void SetCurvatureTypeToGaussian() { this->SetCurvatureType(VTK_CURVATURE_GAUSS); }
+  void SetCurvatureTypeToMean() { this->SetCurvatureType(VTK_CURVATURE_MEAN); }
+  void SetCurvatureTypeToMaximum() { this->SetCurvatureType(VTK_CURVATURE_MAXIMUM); }
+  void SetCurvatureTypeToMinimum() { this->SetCurvatureType(VTK_CURVATURE_MINIMUM); }
+  ///@}
+
+  ///@{
+  /**
+   * Whether Mean_Curvature has the opposite sign (and Maximum_ and Minimum_Curvature follow); the
+   * other arrays stay what they are. Default: off.
+   */
+  vtkSetMacro(InvertMeanCurvature, vtkTypeBool);
+  vtkGetMacro(InvertMeanCurvature, vtkTypeBool);
+  vtkBooleanMacro(InvertMeanCurvature, vtkTypeBool);
+  ///@}
 
   ///@{
   /**
@@ -94,6 +124,8 @@ protected:
   ~vtkVesicleCurvatureFilter() override = default;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
+  int CurvatureType = VTK_CURVATURE_GAUSS;
+  vtkTypeBool InvertMeanCurvature = 0;
   int Scheme = Fit;
   double BendingRigidity = 1;
   bool OrientOutward = true;
