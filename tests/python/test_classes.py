@@ -19,6 +19,14 @@ def properties(cls):
     return [name[3:] for name in own if name.startswith("Set") and "Get" + name[3:] in own]
 
 
+def first_instance(cls):
+    """Of the class, or where it is abstract of one derived from it."""
+    try:
+        return cls()
+    except TypeError:
+        return next(other() for other in classes() if issubclass(other, cls) and other is not cls)
+
+
 class Classes(unittest.TestCase):
     def test_all_are_there(self):
         names = {cls.__name__ for cls in classes()}
@@ -32,7 +40,7 @@ class Classes(unittest.TestCase):
 
     def test_every_property_is_documented_and_printed(self):
         for cls in classes():
-            instance = cls()
+            instance = first_instance(cls)
             for name in properties(cls):
                 with self.subTest(cls=cls.__name__, property=name):
                     self.assertIn(f"{name}:", str(instance))
