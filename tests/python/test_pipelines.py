@@ -1,5 +1,7 @@
 """The filters among VTK's own, from Python."""
 
+import os
+import signal
 import unittest
 
 import numpy
@@ -147,6 +149,18 @@ class Stepper(unittest.TestCase):
         surface = vesicle.update(stepper, 1)
         self.assertEqual(len(times), 2)
         self.assertEqual(surface.FieldData["TimeValue"][0], times[-1])
+
+    def test_ctrl_c_ends_it_after_the_step(self):
+        stepper = small_shear()
+        clean = connected(vtkCleanPolyData(), stepper)
+        press = stepper.AddObserver(vesicle.vtkVesicleStepper.StepAcceptedEvent,
+                                    lambda stepper, event: os.kill(os.getpid(), signal.SIGINT))
+        steps = stepper.GetNumberOfSteps()
+        with self.assertRaises(KeyboardInterrupt):
+            vesicle.update(clean, 1)
+        self.assertEqual(stepper.GetNumberOfSteps(), steps + 1)
+        stepper.RemoveObserver(press)
+        self.assertEqual(vesicle.update(clean, 1).FieldData["TimeValue"][0], 1)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,8 @@
 """Running VTK pipelines: what VTK prints becomes exceptions and warnings, data come out as numpy."""
 
+import contextlib
+import signal
+import threading
 import warnings
 
 from vtkmodules.numpy_interface import dataset_adapter
@@ -19,9 +22,10 @@ def update(algorithm, time=None):
     CellData["…"] and FieldData["…"] are numpy arrays that share the memory of VTK's;
     PointData.append(array, name) adds one; VTKObject is the vtkPolyData itself.
     Raises Error with the first error of any algorithm, whose output is then not to be used, but for
-    the last good state that vtkVesicleStepper has when no step can be made. Warnings of VTK become RuntimeWarnings.
+    the last good state that vtkVesicleStepper has when no step can be made. Ctrl-C ends a simulation after
+    the step that it is at, and the next update goes on from there. Warnings of VTK become RuntimeWarnings.
     """
-    with Messages(algorithm):
+    with Messages(algorithm), _interruptible(algorithm):
         if time is None:
             algorithm.Update()
         else:
@@ -67,6 +71,51 @@ class Messages:
             self._algorithm.Modified()
         if self._errors and kind is None:
             raise Error(self._errors[0])
+
+
+@contextlib.contextmanager
+def _interruptible(algorithm):
+    """Python handles signals only between its own instructions, and an exception in an observer would
+    end the process: so observers let the signal in, and its handler aborts the pipeline."""
+    in_charge = (threading.current_thread() is threading.main_thread() and
+                 signal.getsignal(signal.SIGINT) is signal.default_int_handler)
+    if not in_charge:
+        yield
+        return
+    pipeline = _pipeline(algorithm)
+    observers = [(member, member.AddObserver("ProgressEvent", lambda caller, event: None))
+                 for member in pipeline]
+    interrupted = False
+
+    def interrupt(number, frame):
+        nonlocal interrupted
+        interrupted = True
+        for member in pipeline:
+            member.SetAbortExecute(1)
+
+    signal.signal(signal.SIGINT, interrupt)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+        for member, observer in observers:
+            member.RemoveObserver(observer)
+    if interrupted:
+        for member in pipeline:
+            member.Modified()  # what it has isn't what was asked for
+        raise KeyboardInterrupt
+
+
+def _pipeline(algorithm):
+    """The algorithm and all before it."""
+    found = [algorithm]
+    for member in found:
+        for port in range(member.GetNumberOfInputPorts()):
+            for connection in range(member.GetNumberOfInputConnections(port)):
+                before = member.GetInputAlgorithm(port, connection)
+                if before not in found:
+                    found.append(before)
+    return found
 
 
 def _collector(texts):
