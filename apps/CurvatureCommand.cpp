@@ -58,6 +58,7 @@ int write_curvature(const CurvatureOptions& options)
   vtkNew<vtkVesicleCurvatureFilter> filter;
   filter->SetInputData(surface);
   filter->SetSchemeByName(options.scheme.c_str());
+  filter->SetCurvatureTypeToMean();
   filter->SetBendingRigidity(options.rigidity);
   {
     const VtkMessages messages;

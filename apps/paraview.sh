@@ -18,7 +18,7 @@ unpack_paraview() {
   # Its libraries; what ParaView's web server and plots from matplotlib need is left out.
   local libraries
   libraries=$(dpkg-deb -f "$packages"/paraview_*.deb Depends | tr ',' '\n' | grep -E '^ *(lib|zlib)' | paste -sd,)
-  as_root apt-get satisfy -y -qq --no-install-recommends "$libraries" python3-mpi4py > /dev/null
+  as_root apt-get satisfy -y -qq --no-install-recommends "$libraries" libqt5svg5 python3-mpi4py > /dev/null
   for package in "$packages"/*.deb; do
     dpkg -x "$package" "$prefix.part"
   done

@@ -48,6 +48,7 @@ int main()
   clean->SetInputConnection(scaled->GetOutputPort());
   vtkNew<vtkVesicleCurvatureFilter> curvature;
   curvature->SetInputConnection(clean->GetOutputPort());
+  curvature->SetCurvatureTypeToMean();
   curvature->Update();
 
   vtkPolyData* surface = curvature->GetOutput();
