@@ -30,16 +30,18 @@ void remove_regular(const std::filesystem::path& file)
   }
 }
 
-void write_bytes(const std::filesystem::path& file, std::string_view bytes)
+/// An error names `file`, which these bytes become in the end.
+void write_bytes(const std::filesystem::path& unfinished, const std::filesystem::path& file,
+  std::string_view bytes)
 {
   errno = 0;
-  std::ofstream out(file, std::ios::binary | std::ios::trunc);
+  std::ofstream out(unfinished, std::ios::binary | std::ios::trunc);
   out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   out.close();
   if (!out)
   {
     const int reason = errno;
-    remove_regular(file);
+    remove_regular(unfinished);
     fail(file, reason ? std::strerror(reason) : "unknown reason");
   }
 }
@@ -77,7 +79,7 @@ void finish_file(const std::filesystem::path& file)
 
 void replace_file(const std::filesystem::path& file, std::string_view bytes)
 {
-  write_bytes(unfinished_name(file), bytes);
+  write_bytes(unfinished_name(file), file, bytes);
   finish_file(file);
 }
 
