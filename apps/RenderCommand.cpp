@@ -1,10 +1,16 @@
-// vesicle render: pictures and a film of a series or of meshes.
+// vesicle render: pictures, a film, a figure of a series or of meshes.
 
 #include "apps/Commands.h"
 #include "apps/Progress.h"
+#include "apps/RunBeside.h"
+#include "apps/RunMovie.h"
+#include "apps/RunPlots.h"
 
+#include "render/Montage.h"
 #include "render/Movie.h"
+#include "render/SceneGuides.h"
 #include "solver/Errors.h"
+#include "solver/scene/SceneNames.h"
 #include "vtkfilters/Filters/MeshFiles.h"
 #include "vtkfilters/Filters/SeriesFile.h"
 #include "vtkfilters/Filters/VtkMessages.h"
@@ -18,6 +24,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <charconv>
 #include <memory>
 
@@ -32,10 +39,14 @@ struct RenderOptions
 {
   std::vector<std::string> inputs;
   std::string folder;
-  std::string color = "Mean_Curvature";
-  std::vector<double> range;
-  std::string size = "1280x720";
   std::string mp4;
+  std::string montage;
+  int panels = 3;
+  std::vector<double> times; ///< of the montage
+  std::vector<double> range;
+  std::string size;
+  std::string title;
+  Scene::Movie movie;
 };
 
 std::array<int, 2> parse_size(const std::string& text)
@@ -53,21 +64,44 @@ std::array<int, 2> parse_size(const std::string& text)
   return size;
 }
 
-std::vector<SeriesFrame> frames_of(const std::vector<std::string>& inputs)
+/// What there is to draw.
+struct Subject
 {
   std::vector<SeriesFrame> frames;
+  bool timed = true; ///< false: meshes, which have a number instead of a time
+  RunBeside run;
+
+  std::vector<double> times() const
+  {
+    std::vector<double> all;
+    for (const auto& frame : frames)
+    {
+      all.push_back(frame.time);
+    }
+    return all;
+  }
+};
+
+Subject subject_of(const std::vector<std::string>& inputs)
+{
+  Subject subject;
   for (const path input : inputs)
   {
     if (is_series(input))
     {
       const auto series = read_series(input);
-      frames.insert(frames.end(), series.begin(), series.end());
+      subject.frames.insert(subject.frames.end(), series.begin(), series.end());
       continue;
     }
     require_mesh_ending(input);
-    frames.push_back({ static_cast<double>(frames.size()), input });
+    subject.frames.push_back({ static_cast<double>(subject.frames.size()), input });
+    subject.timed = false;
   }
-  return frames;
+  if (inputs.size() == 1 && subject.timed)
+  {
+    subject.run = run_beside(inputs[0]);
+  }
+  return subject;
 }
 
 /// With its curvature, should the array to show be missing.
@@ -85,22 +119,49 @@ vtkSmartPointer<vtkPolyData> surface_of(const path& file, const std::string& col
   return filter->GetOutput();
 }
 
-int draw(const RenderOptions& options)
+std::optional<ChartSpec> chart_of(const std::string& name, const RunBeside& run)
 {
-  spdlog::set_level(spdlog::level::warn);
-  const auto frames = frames_of(options.inputs);
-  std::vector<double> times;
-  for (const auto& frame : frames)
+  if (name == "none")
   {
-    times.push_back(frame.time);
+    return std::nullopt;
   }
-  MovieSettings settings;
-  settings.picture.color = options.color;
+  if (!run.table)
+  {
+    throw InputError(
+      "--chart takes the table of diagnostics that a run leaves beside its series (<name>.csv)");
+  }
+  const auto chart = run_chart(name, *run.table);
+  if (!chart)
+  {
+    throw InputError(fmt::format("--chart {}: the run's table has nothing to show of it", name));
+  }
+  return chart;
+}
+
+MovieSettings settings_of(const RenderOptions& options, const Subject& subject)
+{
+  MovieSettings settings = movie_settings(options.movie);
+  PictureSettings& picture = settings.picture;
   if (!options.range.empty())
   {
-    settings.picture.range = { options.range[0], options.range[1] };
+    picture.range = { options.range[0], options.range[1] };
   }
-  settings.picture.size = parse_size(options.size);
+  if (!options.size.empty())
+  {
+    picture.size = parse_size(options.size);
+  }
+  picture.title = options.title;
+  if (subject.run.scene)
+  {
+    picture.guides = scene_guides(*subject.run.scene, View::named(picture.view));
+  }
+  return settings;
+}
+
+void draw_movie(const RenderOptions& options, const Subject& subject)
+{
+  MovieSettings settings = settings_of(options, subject);
+  settings.picture.chart = chart_of(options.movie.chart, subject.run);
   settings.directory = options.folder;
   if (!options.mp4.empty())
   {
@@ -108,13 +169,89 @@ int draw(const RenderOptions& options)
   }
   Progress progress(false, 0, {});
   settings.progress = [&](int done, int total) { progress.count("frame", done, total); };
-  const auto report =
-    make_movie([&](int i) { return surface_of(frames[i].file, options.color); }, times, settings);
+  const auto report = make_movie([&](int i)
+    { return surface_of(subject.frames[static_cast<std::size_t>(i)].file, options.movie.color); },
+    subject.times(), settings);
   if (!report.note.empty())
   {
     progress.say(report.note);
   }
+}
+
+void draw_montage(const RenderOptions& options, const Subject& subject)
+{
+  const auto all_times = subject.times();
+  const auto chosen = !options.times.empty() ? nearest_frames(all_times, options.times)
+    : subject.timed                          ? spread_frames(all_times, options.panels)
+                    : spread_frames(all_times, static_cast<int>(all_times.size()));
+  std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
+  std::vector<double> times;
+  for (const int i : chosen)
+  {
+    const auto& frame = subject.frames[static_cast<std::size_t>(i)];
+    surfaces.push_back(surface_of(frame.file, options.movie.color));
+    if (subject.timed)
+    {
+      times.push_back(frame.time);
+    }
+  }
+  MontageSettings settings{ settings_of(options, subject).picture, {} };
+  if (!options.size.empty())
+  {
+    settings.size = settings.picture.size;
+  }
+  write_montage(options.montage, surfaces, times, settings);
+}
+
+int draw(const RenderOptions& options)
+{
+  spdlog::set_level(spdlog::level::warn);
+  if (options.folder.empty() && options.montage.empty())
+  {
+    throw InputError(
+      "render: say what to write: pictures with -o FOLDER, a figure with --montage FILE");
+  }
+  if (options.folder.empty() && !options.mp4.empty())
+  {
+    throw InputError("--mp4 is made of pictures: give a folder for them with -o");
+  }
+  const Subject subject = subject_of(options.inputs);
+  if (!options.montage.empty())
+  {
+    draw_montage(options, subject);
+  }
+  if (!options.folder.empty())
+  {
+    draw_movie(options, subject);
+  }
   return exit_code::done;
+}
+
+void add_look_options(CLI::App& command, RenderOptions& options)
+{
+  Scene::Movie& movie = options.movie;
+  command
+    .add_option("--color", movie.color,
+      "Point array to show; curvatures and the bending force are computed where missing")
+    ->capture_default_str();
+  command.add_option("--range", options.range, "Smallest and largest value of the colours")
+    ->expected(2);
+  command.add_option(
+    "--size", options.size, "WIDTHxHEIGHT in pixels; pictures: 1280x720 if left out");
+  command
+    .add_option("--view", movie.view, "From where: front (xz), side (yz), top (xy), iso, x, y, z")
+    ->check(CLI::IsMember(view_names))
+    ->capture_default_str();
+  command.add_option("--camera", movie.camera, "Follows the vesicle, or stays where it is")
+    ->check(CLI::IsMember(camera_names))
+    ->capture_default_str();
+  command.add_flag("--smooth", movie.smooth, "Show the Loop surface through the points");
+  command.add_flag("--arrows", movie.arrows, "Show the flow of lipids along the membrane");
+  command.add_flag("--edges", movie.edges, "Show the mesh");
+  command.add_option("--chart", movie.chart, "At the side, against time, from the run's table")
+    ->check(CLI::IsMember(chart_names))
+    ->capture_default_str();
+  command.add_option("--title", options.title, "Top left");
 }
 
 }
@@ -122,20 +259,23 @@ int draw(const RenderOptions& options)
 void add_render_command(CLI::App& app, Action& action)
 {
   auto options = std::make_shared<RenderOptions>();
-  auto* command = app.add_subcommand("render", "Pictures and a film of a series or of meshes");
+  auto* command =
+    app.add_subcommand("render", "Pictures, a film or a figure of a series or of meshes");
   command->add_option("input", options->inputs, "Series (.pvd .vtu.series) or meshes, a frame each")
     ->required();
-  command->add_option("-o,--output", options->folder, "Folder of the pictures")->required();
-  command
-    ->add_option("--color", options->color,
-      "Point array to show; curvatures and the bending force are computed where missing")
-    ->capture_default_str();
-  command->add_option("--range", options->range, "Smallest and largest value of the colours")
-    ->expected(2);
-  command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+  command->add_option("-o,--output", options->folder, "Folder for a picture of each frame");
   command->add_option("--mp4", options->mp4, "Film to write (takes the program ffmpeg)");
+  command->add_option(
+    "--montage", options->montage, "Figure (.png) to write: several shapes in one");
+  auto* panels =
+    command->add_option("--panels", options->panels, "Shapes of a montage, evenly in time")
+      ->check(CLI::Range(1, 60))
+      ->capture_default_str();
+  command->add_option("--times", options->times, "Times of a montage's shapes")->excludes(panels);
+  add_look_options(*command, *options);
   command->footer(
-    "Example: vesicle render pear/pear.pvd -o pictures --color Tension --mp4 pear.mp4");
+    "Example: vesicle render pear/pear.pvd -o pictures --color Tension --mp4 pear.mp4\n"
+    "Example: vesicle render pear/pear.pvd --montage pear.png --smooth");
   command->callback([options, &action] { action = [options] { return draw(*options); }; });
 }
 

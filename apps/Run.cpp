@@ -203,12 +203,12 @@ void Run::require_movie_color()
 }
 
 // Plots, like the movie, need something that draws; a run is not failed for that.
-void Run::write_plots(const std::vector<Row>& rows)
+void Run::write_plots(const RunTable& table)
 {
   try
   {
     make_folder(folder_.plots());
-    write_run_plots(scene_, rows, folder_.plots());
+    write_run_plots(scene_, table, folder_.plots());
   }
   catch (const IoError&)
   {
@@ -222,7 +222,7 @@ void Run::write_plots(const std::vector<Row>& rows)
 
 void Run::finish()
 {
-  const std::vector<Row> rows = checkpoint_->series();
+  const RunTable table = run_table(checkpoint_->series());
   checkpoint_.reset(); // closed, and free for others to read
   RunSummary summary;
   summary.scene = scene_;
@@ -248,11 +248,17 @@ void Run::finish()
   {
     progress_->say("go on with --resume");
   }
-  else if (options_.movie)
+  else
   {
-    write_plots(rows);
-    summary.movie_note = make_run_movie(scene_, folder_, series_.files(), *progress_);
-    write_summary(summary, folder_.summary());
+    if (options_.plots)
+    {
+      write_plots(table);
+    }
+    if (options_.movie)
+    {
+      summary.movie_note = make_run_movie(scene_, folder_, series_.files(), table, *progress_);
+      write_summary(summary, folder_.summary());
+    }
   }
 }
 

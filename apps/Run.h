@@ -5,6 +5,7 @@
 #include "apps/CsvFile.h"
 #include "apps/Progress.h"
 #include "apps/RunFolder.h"
+#include "apps/RunTable.h"
 #include "apps/Summary.h"
 
 #include "solver/scene/Scene.h"
@@ -26,6 +27,7 @@ struct RunOptions
   bool resume = false;
   bool overwrite = false;
   bool movie = true;
+  bool plots = true;
   bool quiet = false;
 };
 
@@ -51,7 +53,7 @@ private:
   void record();
   void append_frame();
   void require_movie_color();
-  void write_plots(const std::vector<Row>& rows);
+  void write_plots(const RunTable& table);
   bool is_failed();
   std::string outcome();
   RunFile create_checkpoint() const;

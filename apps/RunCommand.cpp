@@ -23,6 +23,7 @@ struct RunCommandOptions
   std::vector<std::string> overrides;
   std::size_t threads = 0;
   bool no_movie = false;
+  bool no_plots = false;
   RunOptions run;
 };
 
@@ -44,6 +45,7 @@ int run_scene(const RunCommandOptions& options)
   const Scene scene = read_scene(options.scene, options.overrides);
   RunOptions run = options.run;
   run.movie = !options.no_movie;
+  run.plots = !options.no_plots;
   return Run(scene, folder_of(options, scene), run).carry_out();
 }
 
@@ -67,6 +69,7 @@ void add_run_command(CLI::App& app, Action& action)
   command->add_option("--threads", options->threads, "Threads to use; all processors if left out")
     ->check(CLI::PositiveNumber);
   command->add_flag("--no-movie", options->no_movie, "No pictures and no film at the end");
+  command->add_flag("--no-plots", options->no_plots, "No charts of the diagnostics at the end");
   command->add_flag("--quiet", options->run.quiet, "Print nothing but errors");
   command->footer("Example: vesicle run pear.toml -o pear --set time.end=5");
   command->callback([options, &action] { action = [options] { return run_scene(*options); }; });

@@ -3,8 +3,9 @@
 #include "apps/Interrupt.h"
 #include "apps/Progress.h"
 #include "apps/RunFolder.h"
+#include "apps/RunPlots.h"
 
-#include "render/Movie.h"
+#include "render/SceneGuides.h"
 #include "solver/Errors.h"
 
 #include "vtkPointData.h"
@@ -22,16 +23,19 @@ struct Stopped : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
-MovieSettings settings_of(const Scene& scene, const RunFolder& folder, Progress& progress)
+MovieSettings settings_of(
+  const Scene& scene, const RunFolder& folder, const RunTable& table, Progress& progress)
 {
-  MovieSettings settings;
-  settings.picture.color = scene.movie.color;
-  settings.picture.range = scene.movie.range;
-  settings.picture.size = scene.movie.size;
-  settings.picture.view = scene.movie.view;
-  settings.picture.arrows = scene.movie.arrows;
-  settings.picture.comoving = true; // what flows along the membrane, not where the vesicle drifts
-  settings.picture.edges = scene.movie.edges;
+  MovieSettings settings = movie_settings(scene.movie);
+  settings.picture.guides = scene_guides(scene, View::named(scene.movie.view));
+  if (scene.movie.chart != "none")
+  {
+    settings.picture.chart = run_chart(scene.movie.chart, table);
+    if (!settings.picture.chart)
+    {
+      progress.say(fmt::format("no chart beside the movie: this run has no {}", scene.movie.chart));
+    }
+  }
   settings.directory = folder.pictures();
   settings.mp4 = folder.film();
   settings.progress = [&progress](int done, int total)
@@ -45,6 +49,20 @@ MovieSettings settings_of(const Scene& scene, const RunFolder& folder, Progress&
   return settings;
 }
 
+}
+
+MovieSettings movie_settings(const Scene::Movie& movie)
+{
+  MovieSettings settings;
+  settings.picture.color = movie.color;
+  settings.picture.range = movie.range;
+  settings.picture.size = movie.size;
+  settings.picture.view = movie.view;
+  settings.picture.smooth = movie.smooth;
+  settings.picture.arrows = movie.arrows;
+  settings.picture.edges = movie.edges;
+  settings.follow = movie.camera == "follow";
+  return settings;
 }
 
 void require_color(const Scene& scene, vtkPolyData* surface)
@@ -64,11 +82,11 @@ void require_color(const Scene& scene, vtkPolyData* surface)
 }
 
 std::string make_run_movie(const Scene& scene, const RunFolder& folder,
-  const std::vector<std::filesystem::path>& frames, Progress& progress)
+  const std::vector<std::filesystem::path>& frames, const RunTable& table, Progress& progress)
 {
   try
   {
-    const auto report = make_movie(frames, settings_of(scene, folder, progress));
+    const auto report = make_movie(frames, settings_of(scene, folder, table, progress));
     return report.note.empty()
       ? fmt::format("{} frames, {}", report.frames, report.mp4->filename().string())
       : report.note;

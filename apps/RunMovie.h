@@ -1,6 +1,9 @@
 #pragma once
 // The movie at the end of a run.
 
+#include "apps/RunTable.h"
+
+#include "render/Movie.h"
 #include "solver/scene/Scene.h"
 
 #include <filesystem>
@@ -15,6 +18,9 @@ namespace vesicle
 class Progress;
 class RunFolder;
 
+/// What a scene's [movie] table asks for, but for what belongs to its run.
+MovieSettings movie_settings(const Scene::Movie& movie);
+
 /// Throws InputError listing the arrays unless the scene's movie.color is one of the surface's.
 /// Asked at the start: nobody wants to hear it at the end.
 void require_color(const Scene& scene, vtkPolyData* surface);
@@ -23,6 +29,6 @@ void require_color(const Scene& scene, vtkPolyData* surface);
 /// Ctrl-C, there is no movie, and the returned text says why; a run is not failed for that. Throws
 /// IoError.
 std::string make_run_movie(const Scene& scene, const RunFolder& folder,
-  const std::vector<std::filesystem::path>& frames, Progress& progress);
+  const std::vector<std::filesystem::path>& frames, const RunTable& table, Progress& progress);
 
 }

@@ -1,7 +1,6 @@
 #include "apps/RunPlots.h"
 
-#include "render/Chart.h"
-#include "solver/dynamics/Diagnostics.h"
+#include "solver/Errors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,50 +10,55 @@ namespace vesicle
 namespace
 {
 
-struct Subject
+struct Line
 {
-  const char* file;
-  const char* title;
-  const char* y_label;
-  std::vector<const char*> columns;
-  bool wanted;
+  const char* column;
+  const char* label; ///< beside others
 };
 
-std::vector<Subject> subjects_of(const Scene& scene)
+struct Subject
 {
-  return {
-    { "energy", "Bending energy", "E / 8 pi EB", { "energy_over_8pi" },
-      scene.membrane.bending_rigidity.has_value() },
-    { "speed", "Velocity of the centroid", "velocity", { "velocity_x", "velocity_y", "velocity_z" },
-      scene.gravity.has_value() },
-    { "inclination", "Inclination of the long axis", "degrees", { "inclination_deg" },
-      scene.flow.has_value() },
-    { "tension", "Tension", "smallest and largest", { "tension_min", "tension_max" },
-      scene.membrane.incompressible },
-    { "axes", "Semi-axes", "semi-axes", { "semi_axis_1", "semi_axis_2", "semi_axis_3" }, true },
-    { "corrections", "Area and volume errors removed so far", "relative",
-      { "area_correction", "volume_correction" }, true },
-    { "step", "Time step", "dt", { "dt" }, !scene.time.step },
-  };
+  const char* name;
+  const char* title;
+  const char* y_label;
+  std::vector<Line> lines;
+};
+
+const std::vector<Subject> subjects{
+  { "energy", "Bending energy", "E / 8 pi EB", { { "energy_over_8pi", "" } } },
+  { "velocity", "Velocity of the centroid", "velocity",
+    { { "velocity_x", "x" }, { "velocity_y", "y" }, { "velocity_z", "z" } } },
+  { "inclination", "Inclination of the long axis", "degrees", { { "inclination_deg", "" } } },
+  { "tension", "Tension", "tension",
+    { { "tension_min", "lowest" }, { "tension_max", "highest" } } },
+  { "axes", "Semi-axes", "semi-axes",
+    { { "semi_axis_1", "1" }, { "semi_axis_2", "2" }, { "semi_axis_3", "3" } } },
+  { "corrections", "Area and volume errors removed so far", "relative",
+    { { "area_correction", "area" }, { "volume_correction", "volume" } } },
+  { "step", "Time step", "dt", { { "dt", "" } } },
+};
+
+bool says_something(const std::string& subject, const Scene& scene)
+{
+  return subject == "energy"   ? scene.membrane.bending_rigidity.has_value()
+    : subject == "velocity"    ? scene.gravity.has_value()
+    : subject == "inclination" ? scene.flow.has_value()
+    : subject == "tension"     ? scene.membrane.incompressible
+    : subject == "step"        ? !scene.time.step.has_value()
+                               : true;
 }
 
-std::size_t column_of(const std::string& name)
+ChartLine line_of(const RunTable& table, const Line& column)
 {
-  const auto& names = Diagnostics::names();
-  return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
-}
-
-ChartLine line_of(const std::vector<Row>& rows, const std::string& name)
-{
-  const std::size_t time = column_of("time"), column = column_of(name);
+  const auto time = table.column("time"), values = table.column(column.column);
   ChartLine line;
-  line.label = name;
-  for (const Row& row : rows)
+  line.label = column.label;
+  for (std::size_t i = 0; i < values.size(); ++i)
   {
-    if (row[column])
+    if (time[i] && values[i])
     {
-      line.x.push_back(*row[time]);
-      line.y.push_back(*row[column]);
+      line.x.push_back(*time[i]);
+      line.y.push_back(*values[i]);
     }
   }
   return line;
@@ -78,32 +82,45 @@ void remove_idle_lines(std::vector<ChartLine>& lines)
   {
     scale = std::max(scale, largest(line));
   }
-  std::erase_if(lines, [scale](const ChartLine& line) { return largest(line) < 1e-6 * scale; });
+  std::erase_if(lines,
+    [scale](const ChartLine& line) { return line.x.empty() || largest(line) < 1e-6 * scale; });
 }
 
 }
 
-void write_run_plots(
-  const Scene& scene, const std::vector<Row>& rows, const std::filesystem::path& folder)
+std::optional<ChartSpec> run_chart(const std::string& name, const RunTable& table)
 {
-  for (const Subject& subject : subjects_of(scene))
+  const auto subject = std::find_if(
+    subjects.begin(), subjects.end(), [&](const Subject& s) { return s.name == name; });
+  if (subject == subjects.end())
   {
-    ChartSpec chart;
-    chart.title = subject.title;
-    chart.x_label = "time";
-    chart.y_label = subject.y_label;
-    for (const char* column : subject.columns)
+    throw InputError("there is no chart \"" + name + "\"");
+  }
+  ChartSpec chart;
+  chart.title = subject->title;
+  chart.x_label = "time";
+  chart.y_label = subject->y_label;
+  for (const Line& line : subject->lines)
+  {
+    chart.lines.push_back(line_of(table, line));
+  }
+  remove_idle_lines(chart.lines);
+  if (chart.lines.size() == 1 && !chart.lines[0].label.empty())
+  {
+    chart.y_label += ", " + chart.lines[0].label; // a legend for one line takes room for nothing
+    chart.lines[0].label.clear();
+  }
+  return chart.lines.empty() ? std::nullopt : std::optional(chart);
+}
+
+void write_run_plots(const Scene& scene, const RunTable& table, const std::filesystem::path& folder)
+{
+  for (const Subject& subject : subjects)
+  {
+    const auto chart = run_chart(subject.name, table);
+    if (chart && says_something(subject.name, scene))
     {
-      ChartLine line = line_of(rows, column);
-      if (!line.x.empty())
-      {
-        chart.lines.push_back(std::move(line));
-      }
-    }
-    remove_idle_lines(chart.lines);
-    if (subject.wanted && !chart.lines.empty())
-    {
-      write_chart(folder / (std::string(subject.file) + ".png"), chart);
+      write_chart(folder / (std::string(subject.name) + ".png"), *chart);
     }
   }
 }

@@ -1,19 +1,26 @@
 #pragma once
 // Charts of a run's diagnostics against time.
 
-#include "apps/CsvFile.h"
+#include "apps/RunTable.h"
 
+#include "render/Chart.h"
 #include "solver/scene/Scene.h"
 
 #include <filesystem>
-#include <vector>
+#include <optional>
+#include <string>
 
 namespace vesicle
 {
 
-/// Writes one PNG a subject into `folder`: those that say something of this scene (energy where there
-/// is bending, speed under gravity, inclination in a flow, tension, drift). Throws IoError.
+/// The chart of a subject (chart_names of the scene and others); empty where the table has nothing
+/// to show of it. Throws InputError for an unknown subject.
+std::optional<ChartSpec> run_chart(const std::string& subject, const RunTable& table);
+
+/// Writes one PNG a subject into `folder`: those that say something of this scene (energy where
+/// there is bending, velocity under gravity, inclination in a flow, tension, drift). Throws
+/// IoError.
 void write_run_plots(
-  const Scene& scene, const std::vector<Row>& rows, const std::filesystem::path& folder);
+  const Scene& scene, const RunTable& table, const std::filesystem::path& folder);
 
 }

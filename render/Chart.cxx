@@ -1,5 +1,6 @@
 #include "render/Chart.h"
 
+#include "render/ChartItem.h"
 #include "render/PngFile.h"
 #include "render/RenderBackend.h"
 #include "solver/Errors.h"
@@ -40,10 +41,6 @@ constexpr int label_font = 24;
 constexpr int tick_font = 20;
 constexpr double border_width = 14;
 constexpr double dark = 0.15;
-
-/// Okabe and Ito's colours, told apart by colour-blind readers too.
-constexpr std::array<std::array<int, 3>, 7> palette{ { { 0, 114, 178 }, { 213, 94, 0 },
-  { 0, 158, 115 }, { 204, 121, 167 }, { 86, 180, 233 }, { 230, 159, 0 }, { 60, 60, 60 } } };
 
 bool drawable(const ChartSpec& chart, double x, double y)
 {
@@ -121,6 +118,16 @@ void set_axis(vtkAxis* axis, const std::string& label, bool logarithmic, double 
   axis->GetPen()->SetWidth(static_cast<float>(1.5 * scale));
 }
 
+}
+
+std::array<int, 3> chart_color(std::size_t i)
+{
+  // Okabe and Ito's colours, told apart by colour-blind readers too.
+  constexpr std::array<std::array<int, 3>, 7> palette{ { { 0, 114, 178 }, { 213, 94, 0 },
+    { 0, 158, 115 }, { 204, 121, 167 }, { 86, 180, 233 }, { 230, 159, 0 }, { 60, 60, 60 } } };
+  return palette[i % palette.size()];
+}
+
 vtkSmartPointer<vtkChartXY> make_chart(const ChartSpec& spec, double scale)
 {
   auto chart = vtkSmartPointer<vtkChartXY>::New();
@@ -136,7 +143,7 @@ vtkSmartPointer<vtkChartXY> make_chart(const ChartSpec& spec, double scale)
     const auto table = table_of(spec, spec.lines[i]);
     if (table->GetNumberOfRows() > 0)
     {
-      add_line(chart, table, spec.lines[i], palette[i % palette.size()], scale);
+      add_line(chart, table, spec.lines[i], spec.lines[i].color.value_or(chart_color(i)), scale);
       legend = legend || !spec.lines[i].label.empty();
     }
     values += table->GetNumberOfRows();
@@ -154,6 +161,29 @@ vtkSmartPointer<vtkChartXY> make_chart(const ChartSpec& spec, double scale)
   return chart;
 }
 
+double chart_scale(int height)
+{
+  return std::max(least_scale, height / design_height);
+}
+
+void fill_viewport(vtkRenderer* renderer, vtkContextActor* canvas, vtkChartXY* chart,
+  const std::array<double, 4>& viewport, const std::array<int, 2>& size, double inset)
+{
+  const double width = (viewport[2] - viewport[0]) * size[0];
+  const double height = (viewport[3] - viewport[1]) * size[1];
+  const double border = border_width * chart_scale(static_cast<int>(height));
+  const double below = std::max(border, inset * height);
+  renderer->SetBackground(1, 1, 1);
+  renderer->SetViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+  chart->SetAutoSize(false);
+  // Whole pixels: VTK smears letters that lie between them.
+  const auto pixels = [](double x) { return static_cast<float>(std::round(x)); };
+  chart->SetSize(vtkRectf(
+    pixels(border), pixels(below), pixels(width - 2 * border), pixels(height - 2 * below)));
+  canvas->GetScene()->ClearItems();
+  canvas->GetScene()->AddItem(chart);
+  canvas->GetScene()->SetRenderer(renderer);
+  renderer->AddActor(canvas);
 }
 
 void write_chart(const std::filesystem::path& file, const ChartSpec& chart, std::array<int, 2> size)
@@ -170,7 +200,7 @@ void write_charts(const std::filesystem::path& file, const std::vector<ChartSpec
   }
   render_backend();
   const int rows = (static_cast<int>(charts.size()) + columns - 1) / columns;
-  const double scale = std::max(least_scale, size[1] / design_height / rows);
+  const double scale = chart_scale(size[1] / rows);
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(8); // smooth lines; a chart is drawn once
@@ -180,18 +210,11 @@ void write_charts(const std::filesystem::path& file, const std::vector<ChartSpec
     const int column = i % columns;
     const int row = rows - 1 - i / columns; // VTK counts from below
     vtkNew<vtkRenderer> renderer;
-    renderer->SetBackground(1, 1, 1);
-    renderer->SetViewport(static_cast<double>(column) / columns, static_cast<double>(row) / rows,
-      (column + 1.) / columns, (row + 1.) / rows);
     vtkNew<vtkContextActor> canvas;
-    const auto chart = make_chart(charts[static_cast<std::size_t>(i)], scale);
-    const auto border = static_cast<float>(border_width * scale);
-    chart->SetAutoSize(false);
-    chart->SetSize(vtkRectf(border, border, static_cast<float>(size[0]) / columns - 2 * border,
-      static_cast<float>(size[1]) / rows - 2 * border));
-    canvas->GetScene()->AddItem(chart);
-    canvas->GetScene()->SetRenderer(renderer);
-    renderer->AddActor(canvas);
+    fill_viewport(renderer, canvas, make_chart(charts[static_cast<std::size_t>(i)], scale),
+      { static_cast<double>(column) / columns, static_cast<double>(row) / rows,
+        (column + 1.) / columns, (row + 1.) / rows },
+      size);
     window->AddRenderer(renderer);
   }
   window->Render();

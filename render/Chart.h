@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct ChartLine
   std::vector<double> x;
   std::vector<double> y; ///< as many as x; a value that is not finite is left out
   Style style = Style::line;
+  std::optional<std::array<int, 3>> color = std::nullopt; ///< empty: the next of the chart's own
 };
 
 struct ChartSpec

@@ -2,10 +2,9 @@
 
 #include "render/SurfaceMeasures.h"
 
-#include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkLookupTable.h"
-#include "vtkNew.h"
+#include "vtkMath.h"
 
 #include <fmt/format.h>
 
@@ -24,7 +23,7 @@ constexpr double low_percentile = 0.005;
 constexpr double high_percentile = 0.995;
 
 /// Both signs matter when the weaker one reaches this share of the stronger.
-constexpr double both_signs = 0.25;
+constexpr double both_signs = 0.15;
 
 /// A range narrower than this share of its values is noise about a constant (a sphere's H).
 constexpr double least_relative_width = 1e-3;
@@ -85,45 +84,54 @@ double RangeFinder::percentile(double share) const
 
 Range RangeFinder::range() const
 {
-  Range r = widened({ percentile(low_percentile), percentile(high_percentile) });
-  if (r[0] < 0 && r[1] > 0 && std::min(-r[0], r[1]) > both_signs * std::max(-r[0], r[1]))
-  {
-    const double largest = std::max(-r[0], r[1]);
-    r = { -largest, largest };
-  }
-  return r;
+  return widened({ percentile(low_percentile), percentile(high_percentile) });
 }
 
-void fill_color_table(vtkLookupTable* table, ColorMap map, const Range& range)
+ColorScale choose_color_scale(const Range& range, double neutral, bool vector)
 {
-  constexpr int colors = 256;
-  vtkNew<vtkColorTransferFunction> function;
-  if (map == ColorMap::diverging)
+  const double below = neutral - range[0];
+  const double above = range[1] - neutral;
+  const double least = neutral == 0 ? both_signs * std::max(below, above) : 0;
+  const bool diverging = !vector && std::min(below, above) > least;
+  return { diverging ? ColorMap::diverging : ColorMap::sequential, range, neutral };
+}
+
+double neutral_value(const std::string& array, vtkPolyData* surface)
+{
+  const double volume = array == "Mean_Curvature" ? enclosed_volume(surface) : 0;
+  return volume > 0 ? std::cbrt(4 * vtkMath::Pi() / (3 * volume)) : 0;
+}
+
+std::vector<Color> colors_of_range(const ColorScale& scale, int count)
+{
+  if (scale.map == ColorMap::sequential)
   {
-    // Moreland's cool to warm: equal steps in lightness to both sides of grey.
-    function->SetColorSpaceToDiverging();
-    function->AddRGBPoint(0, 0.230, 0.299, 0.754);
-    function->AddRGBPoint(1, 0.706, 0.016, 0.150);
+    return color_table(scale.map, count);
   }
-  else
+  constexpr int fine = 2049; // many more than any range is cut into
+  const auto all = color_table(scale.map, fine);
+  const double reach = std::max(scale.center - scale.range[0], scale.range[1] - scale.center);
+  std::vector<Color> colors;
+  for (int i = 0; i < count; ++i)
   {
-    // Support points of matplotlib's viridis.
-    constexpr double viridis[][3] = { { 0.267, 0.005, 0.329 }, { 0.275, 0.195, 0.496 },
-      { 0.213, 0.359, 0.552 }, { 0.153, 0.497, 0.558 }, { 0.122, 0.633, 0.531 },
-      { 0.290, 0.759, 0.428 }, { 0.622, 0.854, 0.226 }, { 0.993, 0.906, 0.144 } };
-    function->SetColorSpaceToLab();
-    for (int i = 0; i < 8; ++i)
-    {
-      function->AddRGBPoint(i / 7., viridis[i][0], viridis[i][1], viridis[i][2]);
-    }
+    const double value = scale.range[0] + (scale.range[1] - scale.range[0]) * i / (count - 1);
+    const double share = 0.5 + 0.5 * std::clamp((value - scale.center) / reach, -1., 1.);
+    colors.push_back(all[static_cast<std::size_t>(std::lround(share * (fine - 1)))]);
   }
-  table->SetNumberOfTableValues(colors);
-  for (int i = 0; i < colors; ++i)
+  return colors;
+}
+
+void fill_color_table(vtkLookupTable* table, const ColorScale& scale)
+{
+  constexpr int count = 256;
+  const auto colors = colors_of_range(scale, count);
+  table->SetNumberOfTableValues(count);
+  for (int i = 0; i < count; ++i)
   {
-    const double* c = function->GetColor(i / (colors - 1.));
+    const Color& c = colors[static_cast<std::size_t>(i)];
     table->SetTableValue(i, c[0], c[1], c[2]);
   }
-  table->SetTableRange(range[0], range[1]);
+  table->SetTableRange(scale.range[0], scale.range[1]);
 }
 
 std::vector<double> round_ticks(const Range& range, int count)

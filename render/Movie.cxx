@@ -21,10 +21,15 @@ namespace
 
 namespace fs = std::filesystem;
 
+/// Arrows of a frame whose fastest point is slower than this share of the movie's fastest are drawn
+/// shorter: at rest there is nothing to see but noise.
+constexpr double least_arrow_speed = 0.01;
+
 struct Survey
 {
   Framing framing;
   RangeFinder values;
+  double neutral = 0;
   double speed = 0;
 };
 
@@ -58,22 +63,29 @@ void for_each_frame(int count, const FrameName& name, Work&& work)
 }
 
 Survey survey_frames(
-  const FrameSource& frames, int count, const FrameName& name, const PictureSettings& picture)
+  const FrameSource& frames, int count, const FrameName& name, const MovieSettings& settings)
 {
   Survey survey;
+  Passage passage;
+  const PictureSettings& picture = settings.picture;
   const View view = View::named(picture.view);
   for_each_frame(count, name,
     [&](int i)
     {
       const auto surface = frame_of(frames, i);
       survey.framing.include(surface, view);
+      passage.include(surface, view);
       survey.values.include(finite_point_array(surface, picture.color));
+      survey.neutral = i == 0 ? neutral_value(picture.color, surface) : survey.neutral;
       if (picture.arrows)
       {
-        survey.speed =
-          std::max(survey.speed, VelocityArrows::largest_speed(surface, picture.comoving));
+        survey.speed = std::max(survey.speed, VelocityArrows::largest_speed(surface));
       }
     });
+  if (!settings.follow)
+  {
+    survey.framing = passage.framing(view);
+  }
   return survey;
 }
 
@@ -180,13 +192,14 @@ MovieReport draw_movie(const FrameSource& frames, int count, const FrameName& na
     throw InputError("a movie needs at least one frame");
   }
   PictureSettings of_picture = settings.picture;
-  const Survey survey = survey_frames(frames, count, name, of_picture);
+  const Survey survey = survey_frames(frames, count, name, settings);
   // Reading the files gathered the times, unless one has none.
   const bool timed = times.size() == static_cast<std::size_t>(count);
   of_picture.range = of_picture.range.value_or(survey.values.range());
   Picture picture(of_picture);
   picture.set_framing(survey.framing);
-  picture.set_arrow_speed(survey.speed);
+  picture.set_neutral(survey.neutral);
+  picture.set_least_arrow_speed(least_arrow_speed * survey.speed);
   picture.set_time_format("t = " + number_format(times));
   prepare_folder(settings.directory);
   draw_frames(picture, frames, count, name, timed ? times : std::vector<double>{}, settings);

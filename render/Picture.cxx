@@ -1,28 +1,22 @@
 #include "render/Picture.h"
 
-#include "render/AxesMarker.h"
+#include "render/ColorBar.h"
 #include "render/PngFile.h"
 #include "render/RenderBackend.h"
+#include "render/SideChart.h"
 #include "render/SurfaceMeasures.h"
-#include "render/VelocityArrows.h"
+#include "render/TextStyle.h"
+#include "render/VesicleActor.h"
 #include "solver/Errors.h"
 
-#include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
-#include "vtkLookupTable.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
-#include "vtkPolyDataNormals.h"
-#include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkScalarBarActor.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
 #include "vtkWindowToImageFilter.h"
@@ -31,24 +25,59 @@
 #include <cmath>
 #include <cstdio>
 #include <fmt/format.h>
+#include <limits>
 
 namespace vesicle
 {
 namespace
 {
 
-constexpr double bar_share = 0.14;    // of the picture's width, kept free for the colour bar
-constexpr double margin = 1.27;       // room about the vesicle
-constexpr double arrow_length = 0.35; // of the vesicle's radius
-constexpr int bar_labels = 6;
-constexpr int largest_side = 16384; // what llvmpipe draws
+constexpr double margin = 1.27;      // room about the vesicle
+constexpr double arrow_length = 0.3; // of the vesicle's radius
+constexpr int largest_side = 16384;  // what llvmpipe draws
 
-/// Font sizes are in pixels at this height and grow with the picture.
-constexpr double design_height = 720;
-constexpr int large_font = 28;
-constexpr int medium_font = 24;
-constexpr int small_font = 22;
-constexpr double text_gray = 0.12;
+constexpr double vesicle_share = 0.63; // of a picture with a chart at its side
+
+std::string formatted(const std::string& format, double value)
+{
+  char text[128];
+  std::snprintf(text, sizeof text, format.c_str(), value);
+  return text;
+}
+
+/// One text below the other at the upper left.
+class TextColumn
+{
+public:
+  void add_to(vtkRenderer* renderer, double pixels, bool bold)
+  {
+    auto text = vtkSmartPointer<vtkTextActor>::New();
+    set_text_style(text->GetTextProperty(), pixels);
+    text->GetTextProperty()->SetBold(bold);
+    text->GetTextProperty()->SetVerticalJustificationToTop();
+    renderer->AddActor2D(text);
+    lines_.push_back(text);
+  }
+
+  /// Empty texts take no room.
+  void show(const std::vector<std::string>& texts, double aspect)
+  {
+    constexpr double left = 0.044, top = 0.965, step = 0.058; // of the height
+    double y = top;
+    for (std::size_t i = 0; i < lines_.size(); ++i)
+    {
+      lines_[i]->SetVisibility(!texts[i].empty());
+      lines_[i]->SetInput(texts[i].c_str());
+      place_text(lines_[i], left / aspect, y);
+      y -= texts[i].empty() ? 0 : step;
+    }
+  }
+
+private:
+  std::vector<vtkSmartPointer<vtkTextActor>> lines_;
+};
+
+}
 
 void check_size(const std::array<int, 2>& size)
 {
@@ -72,117 +101,8 @@ void check_range(const std::optional<Range>& range)
   }
 }
 
-void set_text_style(vtkTextProperty* text, double size)
+void add_lamps(vtkRenderer* renderer)
 {
-  text->SetFontFamilyToArial();
-  text->SetFontSize(std::max(6, static_cast<int>(std::lround(size))));
-  text->SetColor(text_gray, text_gray, text_gray);
-  text->ItalicOff();
-  text->BoldOff();
-  text->ShadowOff();
-}
-
-void place_text(vtkTextActor* text, double x, double y)
-{
-  text->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  text->SetPosition(x, y);
-}
-
-std::string formatted(const std::string& format, double value)
-{
-  char text[128];
-  std::snprintf(text, sizeof text, format.c_str(), value);
-  return text;
-}
-
-}
-
-struct Picture::Stage
-{
-  explicit Stage(PictureSettings s);
-
-  void set_up_surface();
-  void set_up_light();
-  void set_up_texts();
-  void set_up_bar();
-  void set_surface(vtkPolyData* surface);
-  void set_colors(vtkPolyData* surface);
-  void set_arrows(vtkPolyData* surface, const Framing& framing);
-  void set_camera(vtkPolyData* surface, const Framing& framing);
-  double font(double size) const { return size * settings.size[1] / design_height; }
-
-  PictureSettings settings;
-  View view;
-  std::optional<Framing> framing;
-  std::optional<double> arrow_speed;
-  std::string time_format = "t = %.3g";
-  Range range{ 0, 1 };
-
-  vtkNew<vtkPolyDataNormals> normals;
-  vtkNew<vtkPolyDataMapper> mapper;
-  vtkNew<vtkActor> actor;
-  vtkNew<vtkLookupTable> colors;
-  VelocityArrows arrows;
-  vtkNew<vtkScalarBarActor> bar;
-  vtkNew<vtkTextActor> bar_title;
-  vtkNew<vtkTextActor> title;
-  vtkNew<vtkTextActor> time_label;
-  vtkNew<vtkRenderer> renderer;
-  std::unique_ptr<AxesMarker> axes;
-  vtkSmartPointer<vtkRenderWindow> window;
-};
-
-Picture::Stage::Stage(PictureSettings s) : settings(std::move(s)), view(View::named(settings.view))
-{
-  check_size(settings.size);
-  check_range(settings.range);
-  render_backend();
-  set_up_surface();
-  set_up_light();
-  set_up_texts();
-  set_up_bar();
-  const auto& b = settings.background;
-  renderer->SetBackground(b[0], b[1], b[2]);
-  renderer->SetUseFXAA(settings.smooth_outline);
-  window = vtkSmartPointer<vtkRenderWindow>::New();
-  window->SetOffScreenRendering(1);
-  window->SetMultiSamples(0);
-  window->SetSize(settings.size[0], settings.size[1]);
-  window->AddRenderer(renderer);
-  if (settings.axes)
-  {
-    axes = std::make_unique<AxesMarker>(view, settings.size[0], settings.size[1]);
-    window->SetNumberOfLayers(2);
-    window->AddRenderer(axes->renderer());
-  }
-}
-
-void Picture::Stage::set_up_surface()
-{
-  normals->SplittingOff();
-  mapper->SetLookupTable(colors);
-  mapper->SetScalarModeToUsePointFieldData();
-  mapper->UseLookupTableScalarRangeOn();
-  mapper->InterpolateScalarsBeforeMappingOn();
-  actor->SetMapper(mapper);
-  vtkProperty* look = actor->GetProperty();
-  look->SetInterpolationToPhong();
-  look->SetAmbient(0.3);
-  look->SetDiffuse(0.8);
-  look->SetSpecular(0.18);
-  look->SetSpecularPower(35);
-  look->SetEdgeVisibility(settings.edges);
-  look->SetEdgeColor(0.2, 0.2, 0.22);
-  look->SetLineWidth(static_cast<float>(std::max(1., font(1))));
-  renderer->AddActor(actor);
-  renderer->AddActor(arrows.actor());
-  arrows.actor()->SetVisibility(settings.arrows);
-}
-
-void Picture::Stage::set_up_light()
-{
-  // A lamp to the upper left of the camera shows the shape better than a headlight; a weaker one
-  // opposite keeps the colours readable in its shade.
   const auto add_lamp = [&](double x, double y, double z, double intensity)
   {
     vtkNew<vtkLight> lamp;
@@ -196,101 +116,145 @@ void Picture::Stage::set_up_light()
   add_lamp(0.7, -0.6, 0.7, 0.38);
 }
 
-void Picture::Stage::set_up_texts()
+ColorScale color_scale(vtkPolyData* surface, const std::string& name,
+  const std::optional<Range>& range, const std::optional<double>& neutral)
 {
-  const double left = 0.025;
-  set_text_style(title->GetTextProperty(), font(large_font));
-  title->GetTextProperty()->BoldOn();
-  title->GetTextProperty()->SetVerticalJustificationToTop();
-  title->SetInput(settings.title.c_str());
-  place_text(title, left, 0.965);
-  set_text_style(time_label->GetTextProperty(), font(large_font));
-  time_label->GetTextProperty()->SetVerticalJustificationToTop();
-  place_text(time_label, left, settings.title.empty() ? 0.965 : 0.905);
-  renderer->AddActor2D(title);
-  renderer->AddActor2D(time_label);
-}
-
-void Picture::Stage::set_up_bar()
-{
-  bar->SetLookupTable(colors);
-  bar->SetTitle("");
-  bar->UnconstrainedFontSizeOn();
-  bar->SetUseCustomLabels(true);
-  bar->SetDrawTickLabels(true);
-  bar->SetMaximumNumberOfColors(256);
-  bar->SetTextPositionToSucceedScalarBar();
-  bar->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
-  bar->SetPosition(0.885, 0.13);
-  bar->SetWidth(0.1);
-  bar->SetHeight(0.7);
-  bar->SetBarRatio(0.28);
-  bar->SetTextPad(static_cast<int>(std::lround(font(6))));
-  bar->SetVisibility(settings.color_bar);
-  set_text_style(bar->GetLabelTextProperty(), font(small_font));
-  set_text_style(bar_title->GetTextProperty(), font(medium_font));
-  bar_title->GetTextProperty()->SetJustificationToRight();
-  bar_title->GetTextProperty()->SetVerticalJustificationToBottom();
-  bar_title->SetVisibility(settings.color_bar);
-  place_text(bar_title, 0.975, 0.875);
-  renderer->AddActor2D(bar);
-  renderer->AddActor2D(bar_title);
-}
-
-void Picture::Stage::set_surface(vtkPolyData* surface)
-{
-  vtkDataArray* own = surface->GetPointData()->GetArray("Normals");
-  if (own && own->GetNumberOfComponents() == 3)
+  vtkDataArray* array = finite_point_array(surface, name);
+  RangeFinder finder;
+  if (!range)
   {
-    vtkNew<vtkPolyData> with_normals;
-    with_normals->ShallowCopy(surface);
-    with_normals->GetPointData()->SetNormals(own);
-    mapper->SetInputData(with_normals);
-    return;
+    finder.include(array);
   }
-  normals->SetInputData(surface);
-  mapper->SetInputConnection(normals->GetOutputPort());
+  return choose_color_scale(range ? *range : finder.range(),
+    neutral ? *neutral : neutral_value(name, surface), array->GetNumberOfComponents() > 1);
+}
+
+vtkSmartPointer<vtkImageData> grab_image(vtkRenderWindow* window)
+{
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(window);
+  grab->ReadFrontBufferOff();
+  grab->ShouldRerenderOff();
+  grab->SetInputBufferTypeToRGB();
+  grab->Update();
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->ShallowCopy(grab->GetOutput());
+  return image;
+}
+
+struct Picture::Stage
+{
+  explicit Stage(PictureSettings s);
+
+  void set_up_window();
+  void set_up_markers();
+  void add_marker(std::unique_ptr<CornerMarker> marker);
+  void set_colors(vtkPolyData* surface);
+  void set_texts(std::optional<double> time, std::optional<double> arrow_speed);
+  void set_camera(vtkPolyData* surface, const Framing& framing);
+  double font(double size) const { return font_size(size, settings.size[1]); }
+  /// Pixels of the vesicle's part of the picture.
+  int width() const;
+  double aspect() const { return static_cast<double>(width()) / settings.size[1]; }
+
+  PictureSettings settings;
+  View view;
+  std::optional<Framing> framing;
+  std::optional<double> neutral;
+  double least_arrow_speed = 0;
+  std::string time_format = "t = %.3g";
+  ColorScale scale;
+
+  ColorBar bar;
+  VesicleActor vesicle;
+  TextColumn texts;
+  vtkNew<vtkRenderer> renderer;
+  std::vector<std::unique_ptr<CornerMarker>> markers;
+  std::unique_ptr<SideChart> chart;
+  vtkSmartPointer<vtkRenderWindow> window;
+};
+
+int Picture::Stage::width() const
+{
+  return settings.chart ? static_cast<int>(vesicle_share * settings.size[0]) : settings.size[0];
+}
+
+Picture::Stage::Stage(PictureSettings s)
+  : settings((check_size(s.size), check_range(s.range), std::move(s))),
+    view(View::named(settings.view)), bar(width(), settings.size[1]),
+    vesicle({ settings.color, settings.smooth, settings.edges, settings.arrows,
+              std::max(1., font_size(1, settings.size[1])) },
+      bar.colors())
+{
+  render_backend();
+  vesicle.add_to(renderer);
+  add_lamps(renderer);
+  if (settings.color_bar)
+  {
+    bar.add_to(renderer);
+  }
+  texts.add_to(renderer, font(font::large), true);
+  texts.add_to(renderer, font(font::large), false);
+  texts.add_to(renderer, font(font::small), false);
+  set_up_window();
+  set_up_markers();
+}
+
+void Picture::Stage::set_up_window()
+{
+  const auto& b = settings.background;
+  renderer->SetBackground(b[0], b[1], b[2]);
+  window = vtkSmartPointer<vtkRenderWindow>::New();
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(settings.samples);
+  window->SetSize(settings.size[0], settings.size[1]);
+  window->AddRenderer(renderer);
+  if (settings.chart)
+  {
+    const double left = static_cast<double>(width()) / settings.size[0];
+    renderer->SetViewport(0, 0, left, 1);
+    chart = std::make_unique<SideChart>(
+      *settings.chart, std::array<double, 4>{ left, 0, 1, 1 }, settings.size);
+    window->AddRenderer(chart->renderer());
+  }
+}
+
+void Picture::Stage::set_up_markers()
+{
+  const auto slot = [this] { return Slot{ static_cast<int>(markers.size()), 0 }; };
+  if (settings.axes)
+  {
+    add_marker(axes_marker(view, settings.size[0], settings.size[1], slot()));
+  }
+  for (const Guide& guide : settings.guides)
+  {
+    add_marker(guide_marker(guide, view, settings.size[0], settings.size[1], slot()));
+  }
+}
+
+void Picture::Stage::add_marker(std::unique_ptr<CornerMarker> marker)
+{
+  if (marker)
+  {
+    window->SetNumberOfLayers(2);
+    window->AddRenderer(marker->renderer());
+    markers.push_back(std::move(marker));
+  }
 }
 
 void Picture::Stage::set_colors(vtkPolyData* surface)
 {
-  vtkDataArray* array = finite_point_array(surface, settings.color);
-  const bool vector = array->GetNumberOfComponents() > 1;
-  range = settings.range.value_or(Range{});
-  if (!settings.range)
-  {
-    RangeFinder finder;
-    finder.include(array);
-    range = finder.range();
-  }
-  fill_color_table(colors, vector ? ColorMap::sequential : ColorMap::diverging, range);
-  if (vector)
-  {
-    colors->SetVectorModeToMagnitude();
-  }
-  mapper->SelectColorArray(settings.color.c_str());
-
-  const auto ticks = round_ticks(range, bar_labels);
-  vtkNew<vtkDoubleArray> labels;
-  for (const double tick : ticks)
-  {
-    labels->InsertNextValue(tick);
-  }
-  bar->SetCustomLabels(labels);
-  bar->SetLabelFormat(number_format(ticks).c_str());
-  bar_title->SetInput(
-    (settings.color_title.empty() ? array_title(settings.color, vector) : settings.color_title)
-      .c_str());
+  scale = color_scale(surface, settings.color, settings.range, neutral);
+  const bool vector = finite_point_array(surface, settings.color)->GetNumberOfComponents() > 1;
+  bar.show(scale,
+    settings.color_title.empty() ? array_title(settings.color, vector) : settings.color_title);
 }
 
-void Picture::Stage::set_arrows(vtkPolyData* surface, const Framing& room)
+void Picture::Stage::set_texts(std::optional<double> time, std::optional<double> arrow_speed)
 {
-  if (settings.arrows)
-  {
-    const double speed =
-      arrow_speed ? *arrow_speed : VelocityArrows::largest_speed(surface, settings.comoving);
-    arrows.show(surface, settings.comoving, speed, arrow_length * room.radius);
-  }
+  texts.show({ settings.title, time ? formatted(time_format, *time) : "",
+               arrow_speed ? fmt::format("longest arrow: speed {:.2g}", *arrow_speed) : "" },
+    aspect());
 }
 
 void Picture::Stage::set_camera(vtkPolyData* surface, const Framing& room)
@@ -301,10 +265,9 @@ void Picture::Stage::set_camera(vtkPolyData* surface, const Framing& room)
     widened.half_width += arrow_length * room.radius;
     widened.half_height += arrow_length * room.radius;
   }
-  const double usable = settings.color_bar ? 1 - bar_share : 1;
-  const double aspect = static_cast<double>(settings.size[0]) / settings.size[1];
-  aim_camera(
-    renderer->GetActiveCamera(), view, surface_centroid(surface), widened, margin, usable, aspect);
+  const double usable = settings.color_bar ? 1 - ColorBar::share(width(), settings.size[1]) : 1;
+  aim_camera(renderer->GetActiveCamera(), view,
+    room.center ? *room.center : surface_centroid(surface), widened, margin, usable, aspect());
   renderer->ResetCameraClippingRange();
 }
 
@@ -317,9 +280,14 @@ void Picture::set_framing(const Framing& framing)
   stage_->framing = framing;
 }
 
-void Picture::set_arrow_speed(double speed)
+void Picture::set_neutral(double value)
 {
-  stage_->arrow_speed = speed;
+  stage_->neutral = value;
+}
+
+void Picture::set_least_arrow_speed(double speed)
+{
+  stage_->least_arrow_speed = speed;
 }
 
 void Picture::set_time_format(const std::string& format)
@@ -340,25 +308,25 @@ void Picture::draw(vtkPolyData* surface, std::optional<double> time)
     room.include(surface, s.view);
   }
   s.set_colors(surface);
-  s.set_surface(surface);
-  s.set_arrows(surface, room);
-  s.time_label->SetVisibility(time.has_value());
-  s.time_label->SetInput(formatted(s.time_format, time.value_or(0)).c_str());
+  s.vesicle.show(surface);
+  std::optional<double> arrow_speed;
+  if (s.settings.arrows)
+  {
+    arrow_speed = std::max(s.least_arrow_speed, VelocityArrows::largest_speed(surface));
+    s.vesicle.show_arrows(surface, *arrow_speed, arrow_length * room.radius);
+  }
+  s.set_texts(time, arrow_speed);
   s.set_camera(surface, room);
+  if (s.chart)
+  {
+    s.chart->show(time ? *time : std::numeric_limits<double>::lowest());
+  }
   s.window->Render();
 }
 
 vtkSmartPointer<vtkImageData> Picture::image() const
 {
-  vtkNew<vtkWindowToImageFilter> grab;
-  grab->SetInput(stage_->window);
-  grab->ReadFrontBufferOff();
-  grab->ShouldRerenderOff();
-  grab->SetInputBufferTypeToRGB();
-  grab->Update();
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->ShallowCopy(grab->GetOutput());
-  return image;
+  return grab_image(stage_->window);
 }
 
 void Picture::write_png(const std::filesystem::path& file) const
@@ -373,7 +341,7 @@ const PictureSettings& Picture::settings() const
 
 Range Picture::color_range() const
 {
-  return stage_->range;
+  return stage_->scale.range;
 }
 
 Point3 Picture::camera_focus() const

@@ -1,7 +1,10 @@
 #pragma once
-// One picture of a vesicle: the surface coloured by a point array, colour bar, time, axes.
+// One picture of a vesicle: the surface coloured by a point array, colour bar, time, axes, what
+// drives it, and a chart at its side.
 
+#include "render/Chart.h"
 #include "render/ColorScale.h"
+#include "render/CornerMarker.h"
 #include "render/View.h"
 
 #include "vtkSmartPointer.h"
@@ -11,10 +14,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 class vtkImageData;
 class vtkPolyData;
 class vtkRenderWindow;
+class vtkRenderer;
 
 namespace vesicle
 {
@@ -27,14 +32,31 @@ struct PictureSettings
   std::array<int, 2> size{ 1280, 720 }; ///< pixels
   std::string view = "auto";            ///< see View::named
   std::string title;                    ///< top left
-  bool arrows = false;                  ///< of the point array Velocity
-  bool comoving = false;                ///< arrows relative to the centroid's velocity
+  bool smooth = false;                  ///< Loop's limit surface through the vertices
+  bool arrows = false;                  ///< the lipid flow, see VelocityArrows
   bool edges = false;                   ///< mesh edges
   bool color_bar = true;
   bool axes = true;
-  bool smooth_outline = false; ///< FXAA: a softer silhouette for three times the work
+  std::vector<Guide> guides;      ///< beside the axes
+  std::optional<ChartSpec> chart; ///< at the right, against time
+  int samples = 4; ///< multisampling: soft outlines for three times the work; 0: none
   std::array<double, 3> background{ 1, 1, 1 };
 };
+
+/// Throws InputError for an impossible size or range.
+void check_size(const std::array<int, 2>& size);
+void check_range(const std::optional<Range>& range);
+
+/// A lamp to the upper left of the camera, which shows the shape better than a headlight, and a
+/// weaker one opposite that keeps the colours readable in its shade.
+void add_lamps(vtkRenderer* renderer);
+
+/// The frame's colour scale; `range` and `neutral` where they are fixed.
+ColorScale color_scale(vtkPolyData* surface, const std::string& array,
+  const std::optional<Range>& range, const std::optional<double>& neutral);
+
+/// What the window shows, RGB; a copy.
+vtkSmartPointer<vtkImageData> grab_image(vtkRenderWindow* window);
 
 /// Draws frames one after the other into one off-screen window. Throws InputError for settings
 /// and frames that can't be drawn; std::runtime_error when there is nothing to draw with.
@@ -48,12 +70,15 @@ public:
 
   /// Fixes the zoom; without it every frame fills the picture.
   void set_framing(const Framing& framing);
-  /// Fixes the arrows' scale: the longest arrow's speed.
-  void set_arrow_speed(double speed);
+  /// Fixes the value that neither colour has, see neutral_value; without it that of each frame.
+  void set_neutral(double value);
+  /// Each frame's longest arrow is as fast as its fastest point, but no slower than this: what is
+  /// slower is drawn shorter. The picture says how fast the longest is.
+  void set_least_arrow_speed(double speed);
   /// printf format of the time label, e.g. "t = %.2f".
   void set_time_format(const std::string& format);
 
-  /// Draws the frame with the camera at its centroid; a time label only where there is a time.
+  /// Draws the frame; a time label and the chart's points only where there is a time.
   void draw(vtkPolyData* surface, std::optional<double> time = {});
 
   /// The last frame drawn, RGB. A copy of the caller's own.

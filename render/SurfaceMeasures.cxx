@@ -141,6 +141,12 @@ Point3 surface_centroid(vtkPolyData* surface)
   return center;
 }
 
+double enclosed_volume(vtkPolyData* surface)
+{
+  const Measures m = measure(surface);
+  return m.encloses ? std::abs(m.volume) : 0;
+}
+
 Point3 centroid_velocity(vtkPolyData* surface, vtkDataArray* velocity)
 {
   const Measures m = measure(surface);
@@ -165,6 +171,34 @@ Point3 centroid_velocity(vtkPolyData* surface, vtkDataArray* velocity)
       }
     });
   return sum;
+}
+
+std::vector<Point3> point_normals(vtkPolyData* surface)
+{
+  std::vector<Point3> normals(static_cast<std::size_t>(surface->GetNumberOfPoints()), Point3{});
+  vtkDataArray* own = surface->GetPointData()->GetArray("Normals");
+  if (own && own->GetNumberOfComponents() == 3)
+  {
+    for (std::size_t i = 0; i < normals.size(); ++i)
+    {
+      own->GetTuple(static_cast<vtkIdType>(i), normals[i].data());
+    }
+    return normals;
+  }
+  for_each_triangle(surface,
+    [&](const Triangle& t)
+    {
+      for (const vtkIdType id : t.ids)
+      {
+        Point3& n = normals[static_cast<std::size_t>(id)];
+        vtkMath::Add(n.data(), t.area_vector.data(), n.data());
+      }
+    });
+  for (Point3& n : normals)
+  {
+    vtkMath::Normalize(n.data());
+  }
+  return normals;
 }
 
 vtkDataArray* finite_point_array(vtkPolyData* surface, const std::string& name)

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 class vtkDataArray;
 class vtkPolyData;
@@ -16,9 +17,16 @@ using Point3 = std::array<double, 3>;
 /// Throws InputError when there is no triangle or a point is not finite.
 Point3 surface_centroid(vtkPolyData* surface);
 
+/// The enclosed volume; 0 where the surface is open or encloses nothing.
+double enclosed_volume(vtkPolyData* surface);
+
 /// Velocity of the enclosed volume's centroid from the points' velocities (3 components):
 /// (1/V) ∮ (x − x_c) (u·n) dA; the area's mean velocity where nothing is enclosed.
 Point3 centroid_velocity(vtkPolyData* surface, vtkDataArray* velocity);
+
+/// Unit normals: the point array Normals where there is one, otherwise those of the triangles
+/// around each point, weighted by area; 0 where there is none.
+std::vector<Point3> point_normals(vtkPolyData* surface);
 
 /// The point array of that name. Throws InputError, listing the arrays that there are, when it is
 /// missing, has neither 1 nor 3 components, or holds a value that is not finite.

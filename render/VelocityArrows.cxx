@@ -23,6 +23,9 @@ constexpr const char* array_name = "Velocity";
 /// Arrows shorter than this share of the longest are left out: they'd be dots.
 constexpr double shortest = 0.03;
 
+/// Arrows start this far outside, in their longest length: none is half inside the surface.
+constexpr double lift = 0.06;
+
 vtkDataArray* velocity_of(vtkPolyData* surface)
 {
   vtkDataArray* velocity = finite_point_array(surface, array_name);
@@ -33,17 +36,24 @@ vtkDataArray* velocity_of(vtkPolyData* surface)
   return velocity;
 }
 
-Point3 reference_velocity(vtkPolyData* surface, vtkDataArray* velocity, bool comoving)
+/// One vector a point.
+std::vector<Point3> lipid_flow(vtkPolyData* surface, const std::vector<Point3>& normals)
 {
-  return comoving ? centroid_velocity(surface, velocity) : Point3{ 0, 0, 0 };
-}
-
-Point3 relative_velocity(vtkDataArray* velocity, vtkIdType point, const Point3& reference)
-{
-  Point3 u;
-  velocity->GetTuple(point, u.data());
-  vtkMath::Subtract(u.data(), reference.data(), u.data());
-  return u;
+  vtkDataArray* velocity = velocity_of(surface);
+  const Point3 reference = centroid_velocity(surface, velocity);
+  std::vector<Point3> flow(normals.size());
+  for (std::size_t i = 0; i < flow.size(); ++i)
+  {
+    Point3& u = flow[i];
+    velocity->GetTuple(static_cast<vtkIdType>(i), u.data());
+    vtkMath::Subtract(u.data(), reference.data(), u.data());
+    const double across = vtkMath::Dot(u.data(), normals[i].data());
+    for (int k = 0; k < 3; ++k)
+    {
+      u[k] -= across * normals[i][k];
+    }
+  }
+  return flow;
 }
 
 }
@@ -92,10 +102,10 @@ void VelocityArrows::choose_points(vtkPolyData* surface)
   }
 }
 
-void VelocityArrows::show(vtkPolyData* surface, bool comoving, double speed, double length)
+void VelocityArrows::show(vtkPolyData* surface, double speed, double length)
 {
-  vtkDataArray* velocity = velocity_of(surface);
-  const Point3 reference = reference_velocity(surface, velocity, comoving);
+  const auto normals = point_normals(surface);
+  const auto flow = lipid_flow(surface, normals);
   if (mesh_points_ != surface->GetNumberOfPoints())
   {
     choose_points(surface);
@@ -105,10 +115,16 @@ void VelocityArrows::show(vtkPolyData* surface, bool comoving, double speed, dou
   vectors->SetNumberOfComponents(3);
   for (const auto i : points_)
   {
-    const Point3 u = relative_velocity(velocity, i, reference);
+    const Point3& u = flow[i];
     if (speed > 0 && vtkMath::Norm(u.data()) > shortest * speed)
     {
-      points->InsertNextPoint(surface->GetPoint(i));
+      Point3 foot;
+      surface->GetPoint(i, foot.data());
+      for (int k = 0; k < 3; ++k)
+      {
+        foot[k] += lift * length * normals[i][k];
+      }
+      points->InsertNextPoint(foot.data());
       vectors->InsertNextTuple(u.data());
     }
   }
@@ -118,14 +134,11 @@ void VelocityArrows::show(vtkPolyData* surface, bool comoving, double speed, dou
   actor_->SetVisibility(points->GetNumberOfPoints() > 0);
 }
 
-double VelocityArrows::largest_speed(vtkPolyData* surface, bool comoving)
+double VelocityArrows::largest_speed(vtkPolyData* surface)
 {
-  vtkDataArray* velocity = velocity_of(surface);
-  const Point3 reference = reference_velocity(surface, velocity, comoving);
   double largest = 0;
-  for (vtkIdType i = 0; i < velocity->GetNumberOfTuples(); ++i)
+  for (const Point3& u : lipid_flow(surface, point_normals(surface)))
   {
-    const Point3 u = relative_velocity(velocity, i, reference);
     largest = std::max(largest, vtkMath::Norm(u.data()));
   }
   return largest;

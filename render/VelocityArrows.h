@@ -1,5 +1,7 @@
 #pragma once
-// Arrows for the surface's velocity at a modest number of vertices.
+// Arrows for the flow of lipids along the membrane, at a modest number of vertices: the tangential
+// part of the point array Velocity relative to the centroid's velocity. Where the vesicle drifts
+// and how its shape changes is not in them.
 
 #include "vtkActor.h"
 #include "vtkArrowSource.h"
@@ -20,12 +22,12 @@ public:
 
   vtkActor* actor() const { return actor_; }
 
-  /// Shows the point array Velocity, relative to the centroid's velocity when `comoving`; an arrow
-  /// of `speed` is `length` long. Throws InputError when the array is missing or not finite.
-  void show(vtkPolyData* surface, bool comoving, double speed, double length);
+  /// An arrow of `speed` is `length` long. Throws InputError when the array Velocity is missing or
+  /// not finite.
+  void show(vtkPolyData* surface, double speed, double length);
 
-  /// Largest speed of the array (relative to the centroid's velocity when `comoving`).
-  static double largest_speed(vtkPolyData* surface, bool comoving);
+  /// Of the fastest point.
+  static double largest_speed(vtkPolyData* surface);
 
 private:
   void choose_points(vtkPolyData* surface);

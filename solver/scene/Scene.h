@@ -148,9 +148,12 @@ struct Scene
     std::string color = "Mean_Curvature";
     std::optional<std::array<double, 2>> range; ///< empty: of the whole series
     std::array<int, 2> size{ 1280, 720 };
-    std::string view = "auto"; ///< auto, x, y, z (looking along −axis), or isometric
-    bool arrows = false;       ///< velocity arrows
-    bool edges = false;        ///< mesh edges
+    std::string view = "auto";     ///< one of view_names: auto, front, side, top, iso, …
+    std::string camera = "follow"; ///< follow (the vesicle's centroid) or fixed
+    bool smooth = false;           ///< Loop's limit surface through the points, for display
+    bool arrows = false;           ///< the flow of lipids along the membrane
+    bool edges = false;            ///< mesh edges
+    std::string chart = "none";    ///< at the side: none, or one of chart_names against time
   } movie;
 
   struct Output

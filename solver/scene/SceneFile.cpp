@@ -366,7 +366,7 @@ void read_accuracy(const SceneDocument& document, Scene::Accuracy& accuracy)
 void read_movie(const SceneDocument& document, Scene::Movie& movie)
 {
   const TableReader table(document, "movie");
-  table.check_keys({ "color", "range", "size", "view", "arrows", "edges" });
+  table.check_keys({ "color", "range", "size", "view", "camera", "smooth", "arrows", "edges", "chart" });
   table.read("color", movie.color, field_names);
   table.read("range", movie.range, any_number);
   if (movie.range && !((*movie.range)[0] < (*movie.range)[1]))
@@ -380,8 +380,11 @@ void read_movie(const SceneDocument& document, Scene::Movie& movie)
     movie.size = { table.integer("size", size[0], pixels), table.integer("size", size[1], pixels) };
   }
   table.read("view", movie.view, view_names);
+  table.read("camera", movie.camera, camera_names);
+  table.read("smooth", movie.smooth);
   table.read("arrows", movie.arrows);
   table.read("edges", movie.edges);
+  table.read("chart", movie.chart, chart_names);
 }
 
 void read_output(

@@ -91,7 +91,13 @@ inline constexpr std::array shape_kinds{
   ShapeRequest::Kind::perturbed,
 };
 
-inline const std::vector<std::string> view_names{ "auto", "x", "y", "z", "isometric" };
+inline const std::vector<std::string> view_names{ "auto", "front", "side", "top", "iso", "xz", "yz",
+  "xy", "x", "y", "z", "isometric" };
+
+inline const std::vector<std::string> camera_names{ "follow", "fixed" };
+
+inline const std::vector<std::string> chart_names{ "none", "energy", "inclination", "velocity",
+  "tension" };
 
 /// The point arrays that a run can write.
 inline const std::vector<std::string> field_names{ "Mean_Curvature", "Gauss_Curvature",

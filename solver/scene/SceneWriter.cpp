@@ -240,8 +240,11 @@ void write_movie(Writer& out, const Scene::Movie& movie)
   out.key("range", movie.range);
   out.key("size", movie.size);
   out.key("view", movie.view);
+  out.key("camera", movie.camera);
+  out.key("smooth", movie.smooth);
   out.key("arrows", movie.arrows);
   out.key("edges", movie.edges);
+  out.key("chart", movie.chart);
 }
 
 void write_output(Writer& out, const Scene::Output& output)

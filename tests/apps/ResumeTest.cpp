@@ -26,7 +26,7 @@ protected:
   /// Long enough to be interrupted.
   std::vector<std::string> arguments(const std::string& output, const std::string& extra = "") const
   {
-    std::vector<std::string> words{ "run", "pear.toml", "--no-movie", "--quiet", "-o", output,
+    std::vector<std::string> words{ "run", "pear.toml", "--no-movie", "--no-plots", "--quiet", "-o", output,
       "--set", "vesicle.triangles=320", "--set", "time.end=2.0" };
     if (!extra.empty())
     {
@@ -122,7 +122,7 @@ TEST_F(Resume, AFinishedRunStaysAndCanGoFurther)
   ASSERT_EQ(vesicle_command(folder.path(), arguments("run", "--resume")).code, 0);
   EXPECT_EQ(bytes_of(folder / "run/pear.csv"), table);
   const auto further = vesicle_command(folder.path(),
-    { "run", "pear.toml", "--no-movie", "-o", "run", "--set", "vesicle.triangles=320", "--set",
+    { "run", "pear.toml", "--no-movie", "--no-plots", "-o", "run", "--set", "vesicle.triangles=320", "--set",
       "time.end=2.2", "--resume" });
   EXPECT_EQ(further.code, 0) << further.errors;
   EXPECT_TRUE(bytes_of(folder / "run/pear.csv").starts_with(table));
@@ -131,7 +131,7 @@ TEST_F(Resume, AFinishedRunStaysAndCanGoFurther)
 
 TEST_F(Resume, AnotherSceneIsRefused)
 {
-  const std::vector<std::string> base{ "run", "pear.toml", "--no-movie", "-o", "run", "--set" };
+  const std::vector<std::string> base{ "run", "pear.toml", "--no-movie", "--no-plots", "-o", "run", "--set" };
   const auto run = [&](std::vector<std::string> extra)
   {
     auto words = base;
@@ -173,7 +173,7 @@ TEST_F(Resume, ACheckpointWithOtherColumnsIsRefused)
 TEST_F(Resume, WithoutARunItStarts)
 {
   const auto outcome = vesicle_command(
-    folder.path(), { "run", "pear.toml", "--no-movie", "--resume", "--set", "time.end=0.1" });
+    folder.path(), { "run", "pear.toml", "--no-movie", "--no-plots", "--resume", "--set", "time.end=0.1" });
   EXPECT_EQ(outcome.code, 0) << outcome.errors;
 }
 

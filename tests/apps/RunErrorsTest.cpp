@@ -24,7 +24,7 @@ protected:
 
   Outcome run(std::vector<std::string> extra) const
   {
-    extra.insert(extra.begin(), { "run", "pear.toml", "--no-movie" });
+    extra.insert(extra.begin(), { "run", "pear.toml", "--no-movie", "--no-plots" });
     return vesicle_command(folder.path(), extra);
   }
   Outcome run_with_mesh(const TriangleMesh& mesh) const
@@ -33,7 +33,7 @@ protected:
     std::ofstream(folder / "mesh.toml") << "name = \"mesh\"\n[vesicle]\nfile = \"mesh.off\"\n"
                                            "[membrane]\nbending_rigidity = 1.0\n"
                                            "[time]\nend = 0.02\noutput_every = 0.01\n";
-    return vesicle_command(folder.path(), { "run", "mesh.toml", "--no-movie" });
+    return vesicle_command(folder.path(), { "run", "mesh.toml", "--no-movie", "--no-plots" });
   }
   bool nothing_written(const std::string& name = "pear") const
   {

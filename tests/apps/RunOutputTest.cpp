@@ -142,16 +142,102 @@ TEST_F(RunOutput, MovieIsDrawnAndDrawnAgain)
     2);
 }
 
+TEST_F(RunOutput, RenderTakesGuidesAndChartsFromTheRun)
+{
+  if (!std::filesystem::exists(file("movie/frame_000000.png")))
+  {
+    GTEST_SKIP() << "nothing can draw here";
+  }
+  const auto render = [](const std::vector<std::string>& options)
+  {
+    std::vector<std::string> arguments{ "render", "pear/pear.pvd", "--size", "320x180" };
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return vesicle_command(folder->path(), arguments);
+  };
+  auto outcome = render({ "-o", "chart", "--chart", "inclination", "--view", "front", "--smooth",
+    "--arrows", "--edges", "--camera", "fixed", "--title", "Pear" });
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_EQ(outcome.errors, "");
+  EXPECT_TRUE(std::filesystem::exists(*folder / "chart/frame_000005.png"));
+  // The mesh alone has no table.
+  outcome = vesicle_command(
+    folder->path(), { "render", "pear/frames/pear_000000.vtu", "-o", "mesh", "--chart", "energy" });
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.errors.find("table"), std::string::npos) << outcome.errors;
+  EXPECT_EQ(render({ "-o", "p", "--view", "above" }).code, 2);
+  EXPECT_EQ(render({}).code, 2); // nothing to write
+  EXPECT_EQ(render({ "--mp4", "film.mp4" }).code, 2);
+}
+
+TEST_F(RunOutput, MontageShowsShapesAtTheirTimes)
+{
+  if (!std::filesystem::exists(file("movie/frame_000000.png")))
+  {
+    GTEST_SKIP() << "nothing can draw here";
+  }
+  const auto montage = [](const std::vector<std::string>& options)
+  {
+    std::vector<std::string> arguments{ "render", "pear/pear.pvd", "--montage", "figure.png" };
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return vesicle_command(folder->path(), arguments);
+  };
+  EXPECT_EQ(montage({}).code, 0);
+  const auto three = bytes_of(*folder / "figure.png");
+  EXPECT_EQ(montage({ "--times", "0", "0.21", "0.5" }).code, 0);
+  EXPECT_EQ(montage({ "--panels", "2", "--size", "400x200" }).code, 0);
+  EXPECT_NE(bytes_of(*folder / "figure.png"), three);
+  EXPECT_EQ(montage({ "--panels", "0" }).code, 2);
+  EXPECT_EQ(montage({ "--size", "20x16", "--panels", "6" }).code, 2);
+  EXPECT_EQ(vesicle_command(
+              folder->path(), { "render", "pear/pear.pvd", "--montage", "nowhere/figure.png" })
+              .code,
+    4);
+}
+
+TEST_F(RunOutput, ABrokenTableIsNamedWithItsLine)
+{
+  std::filesystem::copy(
+    *folder / "pear", *folder / "broken", std::filesystem::copy_options::recursive);
+  std::ofstream(*folder / "broken/pear.csv", std::ios::app) << "1,two\n";
+  const auto lines = table().size();
+  const auto outcome = vesicle_command(
+    folder->path(), { "render", "broken/pear.pvd", "-o", "p", "--chart", "energy" });
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.errors.find("pear.csv:" + std::to_string(lines + 1)), std::string::npos)
+    << outcome.errors;
+}
+
+TEST_F(RunOutput, PlotsDoNotNeedAMovie)
+{
+  const auto run = [](const std::string& name, const std::string& option)
+  {
+    return vesicle_command(folder->path(),
+      { "run", "pear.toml", "-o", name, "--no-movie", option, "--set", "time.end=0.1", "--set",
+        "accuracy.preset=fast" });
+  };
+  if (!std::filesystem::exists(file("movie/frame_000000.png")))
+  {
+    GTEST_SKIP() << "nothing can draw here";
+  }
+  EXPECT_EQ(run("plots", "--quiet").code, 0);
+  EXPECT_TRUE(std::filesystem::exists(*folder / "plots/plots/energy.png"));
+  EXPECT_TRUE(std::filesystem::exists(*folder / "plots/plots/inclination.png"));
+  EXPECT_FALSE(std::filesystem::exists(*folder / "plots/movie"));
+  EXPECT_EQ(run("none", "--no-plots").code, 0);
+  EXPECT_FALSE(std::filesystem::exists(*folder / "none/plots"));
+}
+
 TEST_F(RunOutput, ASecondRunNeedsPermission)
 {
-  auto again = vesicle_command(folder->path(), { "run", "pear.toml", "--no-movie" });
+  auto again = vesicle_command(folder->path(), { "run", "pear.toml", "--no-movie", "--no-plots" });
   EXPECT_EQ(again.code, 2);
   EXPECT_NE(again.errors.find("--overwrite"), std::string::npos);
   std::filesystem::copy(
     *folder / "pear", *folder / "copy", std::filesystem::copy_options::recursive);
   std::ofstream(*folder / "copy/notes.txt") << "mine";
   again = vesicle_command(folder->path(),
-    { "run", "pear.toml", "-o", "copy", "--overwrite", "--no-movie", "--set", "time.end=0.1" });
+    { "run", "pear.toml", "-o", "copy", "--overwrite", "--no-movie", "--no-plots", "--set",
+      "time.end=0.1" });
   EXPECT_EQ(again.code, 0) << again.errors;
   EXPECT_TRUE(std::filesystem::exists(*folder / "copy/notes.txt"));
   EXPECT_FALSE(std::filesystem::exists(*folder / "copy/frames/pear_000002.vtu"));

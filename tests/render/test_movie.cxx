@@ -116,6 +116,20 @@ TEST(Movie, RangeAndZoomAreThoseOfTheWholeMovie)
   EXPECT_GT(difference(first, last, 0, 0.85), 0.1);
 }
 
+TEST(Movie, AFixedCameraSeesTheWholeWay)
+{
+  const TemporaryFolder folder;
+  MovieSettings settings = small_movie(folder.path());
+  settings.follow = false;
+  const auto report = make_movie(moving_frame, three_times, settings);
+  // The frames are about (0.7 i, 0, 1.4 i), i = 0, 1, 2, with half axes 1.5 and 1.
+  EXPECT_NEAR(report.framing.half_width, (1.4 + 3) / 2, 0.02);
+  EXPECT_NEAR(report.framing.half_height, (2.8 + 2) / 2, 0.02);
+  ASSERT_TRUE(report.framing.center);
+  EXPECT_NEAR((*report.framing.center)[0], 0.7, 0.02);
+  EXPECT_NEAR((*report.framing.center)[2], 1.4, 0.02);
+}
+
 TEST(Movie, AGivenRangeIsKept)
 {
   const TemporaryFolder folder;

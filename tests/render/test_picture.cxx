@@ -64,7 +64,7 @@ TEST(Picture, ColorsFollowTheArray)
 TEST(Picture, ColdIsLowAndWarmIsHigh)
 {
   PictureSettings settings = small();
-  settings.color = "Tension"; // runs along z, which points up
+  settings.color = "Tension"; // runs along z, which points up; both signs
   const auto image = drawn(settings, make_surface());
   const Rgb top = pixel(image, 138, 145);
   const Rgb bottom = pixel(image, 138, 35);
@@ -115,8 +115,7 @@ TEST(Picture, EachExtraShows)
 {
   const auto surface = make_surface();
   const auto plain = drawn(small(), surface);
-  for (auto extra :
-    { &PictureSettings::edges, &PictureSettings::arrows, &PictureSettings::smooth_outline })
+  for (auto extra : { &PictureSettings::edges, &PictureSettings::arrows, &PictureSettings::smooth })
   {
     PictureSettings settings = small();
     settings.*extra = true;
@@ -126,7 +125,12 @@ TEST(Picture, EachExtraShows)
   settings.title = "A title";
   EXPECT_GT(difference(plain, drawn(settings, surface)), shows);
   EXPECT_GT(difference(plain, drawn(small(), surface, 1.5)), shows);
-  for (const char* view : { "x", "y", "z", "isometric" })
+  settings = small();
+  settings.guides = { { "up", { { { 0, 0, -1 }, { 0, 0, 1 } } }, {} } };
+  EXPECT_GT(difference(plain, drawn(settings, surface)), shows);
+  settings.smooth = settings.edges = true;
+  EXPECT_GT(difference(plain, drawn(settings, surface)), shows);
+  for (const char* view : { "side", "y", "top", "iso" })
   {
     settings = small();
     settings.view = view;
@@ -154,8 +158,10 @@ TEST(Picture, TheCameraFollowsTheCentroid)
 
 TEST(Picture, SmallUnitsLookAlike)
 {
+  PictureSettings settings = small();
+  settings.color = "Tension";
   const auto surface = make_surface();
-  const auto large = drawn(small(), surface);
+  const auto large = drawn(settings, surface);
   const double micrometre = 1e-6;
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
   {
@@ -164,7 +170,7 @@ TEST(Picture, SmallUnitsLookAlike)
     surface->GetPoints()->SetPoint(i, micrometre * x[0], micrometre * x[1], micrometre * x[2]);
   }
   surface->GetPoints()->Modified();
-  EXPECT_LT(difference(large, drawn(small(), surface)), 0.01);
+  EXPECT_LT(difference(large, drawn(settings, surface)), 0.01);
 }
 
 TEST(Picture, AMissingArrayIsAnErrorThatListsTheOthers)
@@ -186,6 +192,80 @@ TEST(Picture, ANonFiniteValueIsAnErrorThatNamesThePoint)
     ->SetComponent(17, 0, std::numeric_limits<double>::quiet_NaN());
   const auto message = refusal(small(), surface);
   EXPECT_NE(message.find("not finite at point 17"), std::string::npos) << message;
+}
+
+TEST(Picture, SlowFlowIsDrawnAsLongAsFast)
+{
+  PictureSettings settings = small();
+  settings.arrows = true;
+  Picture picture(settings);
+  const auto fast = make_surface(), slow = make_surface();
+  vtkDataArray* velocity = slow->GetPointData()->GetArray("Velocity");
+  for (vtkIdType i = 0; i < velocity->GetNumberOfTuples(); ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      velocity->SetComponent(i, k, 0.01 * velocity->GetComponent(i, k));
+    }
+  }
+  const auto region = [](vtkImageData* a, vtkImageData* b) { return difference(a, b, 0.4, 1); };
+  picture.draw(fast);
+  const auto of_fast = picture.image();
+  picture.draw(slow);
+  EXPECT_LT(region(of_fast, picture.image()), shows); // the label is in the left part
+  EXPECT_GT(difference(of_fast, picture.image()), 0);
+  // Unless it is slower than what is worth showing.
+  picture.set_least_arrow_speed(1);
+  picture.draw(slow);
+  EXPECT_GT(region(of_fast, picture.image()), 10 * shows);
+}
+
+TEST(Picture, TheChartShowsHowFarTimeHasCome)
+{
+  PictureSettings settings = small();
+  settings.size = { 640, 360 };
+  settings.chart = ChartSpec{};
+  settings.chart->lines.push_back({ "", { 0, 1, 2 }, { 0, 1, 4 } });
+  Picture picture(settings);
+  const auto surface = make_surface();
+  picture.draw(surface, 0.5);
+  const auto early = picture.image();
+  picture.draw(surface, 1.5);
+  const auto late = picture.image();
+  EXPECT_GT(difference(early, late, 0.7, 1), 0);
+  const Rgb full{ 0, 114, 178 }; // the first line's colour, where time has passed
+  const auto count = [&](vtkImageData* image)
+  {
+    int pixels = 0;
+    for (int x = 403; x < 640; ++x)
+    {
+      for (int y = 0; y < 360; ++y)
+      {
+        pixels += pixel(image, x, y) == full;
+      }
+    }
+    return pixels;
+  };
+  EXPECT_GT(count(late), count(early));
+  EXPECT_GT(count(early), 0);
+}
+
+TEST(Picture, SmoothNeedsAClosedMesh)
+{
+  vtkNew<vtkSphereSource> bowl;
+  bowl->SetStartPhi(90);
+  bowl->Update();
+  const vtkSmartPointer<vtkPolyData> surface = bowl->GetOutput();
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("Mean_Curvature");
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    values->InsertNextValue(static_cast<double>(i));
+  }
+  surface->GetPointData()->AddArray(values);
+  PictureSettings settings = small();
+  settings.smooth = true;
+  EXPECT_NE(refusal(settings, surface).find("closed"), std::string::npos);
 }
 
 TEST(Picture, ArrowsNeedAVelocity)

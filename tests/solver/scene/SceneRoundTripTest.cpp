@@ -86,6 +86,9 @@ void expect_same(const Scene& a, const Scene& b)
   EXPECT_EQ(a.movie.view, b.movie.view);
   EXPECT_EQ(a.movie.arrows, b.movie.arrows);
   EXPECT_EQ(a.movie.edges, b.movie.edges);
+  EXPECT_EQ(a.movie.camera, b.movie.camera);
+  EXPECT_EQ(a.movie.smooth, b.movie.smooth);
+  EXPECT_EQ(a.movie.chart, b.movie.chart);
   EXPECT_EQ(a.output.fields, b.output.fields);
   EXPECT_EQ(a.output.directory, b.output.directory);
 }
@@ -216,9 +219,12 @@ TEST(SceneRoundTrip, EverySetting)
     color = "Tension"
     range = [-1, 2.5]
     size = [640, 480]
-    view = "isometric"
+    view = "iso"
+    camera = "fixed"
+    smooth = true
     arrows = true
     edges = true
+    chart = "velocity"
     [output]
     fields = ["Tension", "Velocity"]
     directory = "runs/x"

@@ -1,0 +1,29 @@
+#pragma once
+// A run's diagnostics, to be looked up by column.
+
+#include "apps/CsvFile.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace vesicle
+{
+
+struct RunTable
+{
+  std::vector<std::string> columns;
+  std::vector<Row> rows; ///< as many values as columns, missing ones empty
+
+  /// The column's values; all missing where there is no such column.
+  std::vector<std::optional<double>> column(const std::string& name) const;
+};
+
+/// With the columns of Diagnostics.
+RunTable run_table(std::vector<Row> rows);
+
+/// Reads a table that CsvFile wrote. Throws IoError when it can't be read, InputError naming the
+/// line that is none of a table of numbers.
+RunTable read_run_table(const std::filesystem::path& file);
+
+}
