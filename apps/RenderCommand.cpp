@@ -1,6 +1,7 @@
 // vesicle render: pictures, a film, a figure of a series or of meshes.
 
 #include "apps/Commands.h"
+#include "apps/HtmlPage.h"
 #include "apps/Progress.h"
 #include "apps/RunBeside.h"
 #include "apps/RunMovie.h"
@@ -41,6 +42,7 @@ struct RenderOptions
   std::string folder;
   std::string mp4;
   std::string montage;
+  std::string html;
   int panels = 3;
   std::vector<double> times; ///< of the montage
   std::vector<double> range;
@@ -203,13 +205,59 @@ void draw_montage(const RenderOptions& options, const Subject& subject)
   write_montage(options.montage, surfaces, times, settings);
 }
 
+/// The page's name of a view.
+std::string page_view(const std::string& view)
+{
+  return view == "side" || view == "yz" || view == "x" ? "side"
+    : view == "top" || view == "xy" || view == "z"     ? "top"
+    : view == "iso" || view == "isometric"             ? "iso"
+                                                       : "front";
+}
+
+/// What --chart asks for, or else what the run is about.
+std::string chart_subject(const std::string& chart, const RunBeside& run)
+{
+  if (chart != "none")
+  {
+    chart_of(chart, run); // says what is wrong
+    return chart;
+  }
+  const bool flows = run.scene && run.scene->flow;
+  const bool rises = run.scene && run.scene->gravity;
+  return flows ? "inclination" : rises ? "velocity" : "energy";
+}
+
+void write_page(const RenderOptions& options, const Subject& subject)
+{
+  HtmlPage page;
+  page.title = !options.title.empty() ? options.title
+    : subject.run.scene               ? subject.run.scene->name
+                                      : path(options.inputs[0]).stem().string();
+  page.color = options.movie.color;
+  page.view = page_view(options.movie.view);
+  page.range = settings_of(options, subject).picture.range;
+  page.smooth = options.movie.smooth;
+  page.times = subject.times();
+  page.timed = subject.timed;
+  if (options.movie.chart != "none" || subject.run.table)
+  {
+    const auto chart = chart_subject(options.movie.chart, subject.run);
+    page.table = subject.run.table;
+    page.chart = chart_columns(chart, *page.table);
+  }
+  page.frames = [&](int i)
+  { return surface_of(subject.frames[static_cast<std::size_t>(i)].file, options.movie.color); };
+  write_html_page(options.html, page);
+}
+
 int draw(const RenderOptions& options)
 {
   spdlog::set_level(spdlog::level::warn);
-  if (options.folder.empty() && options.montage.empty())
+  if (options.folder.empty() && options.montage.empty() && options.html.empty())
   {
     throw InputError(
-      "render: say what to write: pictures with -o FOLDER, a figure with --montage FILE");
+      "render: say what to write: pictures with -o FOLDER, a figure with --montage FILE, "
+      "a page with --html FILE");
   }
   if (options.folder.empty() && !options.mp4.empty())
   {
@@ -219,6 +267,10 @@ int draw(const RenderOptions& options)
   if (!options.montage.empty())
   {
     draw_montage(options, subject);
+  }
+  if (!options.html.empty())
+  {
+    write_page(options, subject);
   }
   if (!options.folder.empty())
   {
@@ -267,6 +319,8 @@ void add_render_command(CLI::App& app, Action& action)
   command->add_option("--mp4", options->mp4, "Film to write (takes the program ffmpeg)");
   command->add_option(
     "--montage", options->montage, "Figure (.png) to write: several shapes in one");
+  command->add_option("--html", options->html,
+    "Page to write, one file for any browser: surface, colours, time, diagnostics");
   auto* panels =
     command->add_option("--panels", options->panels, "Shapes of a montage, evenly in time")
       ->check(CLI::Range(1, 60))
@@ -275,7 +329,8 @@ void add_render_command(CLI::App& app, Action& action)
   add_look_options(*command, *options);
   command->footer(
     "Example: vesicle render pear/pear.pvd -o pictures --color Tension --mp4 pear.mp4\n"
-    "Example: vesicle render pear/pear.pvd --montage pear.png --smooth");
+    "Example: vesicle render pear/pear.pvd --montage pear.png --smooth\n"
+    "Example: vesicle render pear/pear.pvd --html pear.html");
   command->callback([options, &action] { action = [options] { return draw(*options); }; });
 }
 

@@ -38,6 +38,17 @@ const std::vector<Subject> subjects{
   { "step", "Time step", "dt", { { "dt", "" } } },
 };
 
+const Subject& subject_of(const std::string& name)
+{
+  const auto subject = std::find_if(
+    subjects.begin(), subjects.end(), [&](const Subject& s) { return s.name == name; });
+  if (subject == subjects.end())
+  {
+    throw InputError("there is no chart \"" + name + "\"");
+  }
+  return *subject;
+}
+
 bool says_something(const std::string& subject, const Scene& scene)
 {
   return subject == "energy"   ? scene.membrane.bending_rigidity.has_value()
@@ -48,69 +59,88 @@ bool says_something(const std::string& subject, const Scene& scene)
                                : true;
 }
 
-ChartLine line_of(const RunTable& table, const Line& column)
+struct Course
 {
-  const auto time = table.column("time"), values = table.column(column.column);
-  ChartLine line;
-  line.label = column.label;
+  Line line;
+  std::vector<double> time;
+  std::vector<double> value;
+};
+
+Course course_of(const RunTable& table, const Line& line)
+{
+  const auto time = table.column("time"), values = table.column(line.column);
+  Course course{ line, {}, {} };
   for (std::size_t i = 0; i < values.size(); ++i)
   {
     if (time[i] && values[i])
     {
-      line.x.push_back(*time[i]);
-      line.y.push_back(*values[i]);
+      course.time.push_back(*time[i]);
+      course.value.push_back(*values[i]);
     }
   }
-  return line;
+  return course;
 }
 
-double largest(const ChartLine& line)
+double largest(const Course& course)
 {
   double value = 0;
-  for (double y : line.y)
+  for (const double y : course.value)
   {
     value = std::max(value, std::abs(y));
   }
   return value;
 }
 
-// A line that is nothing but rounding beside the others hides what there is to see.
-void remove_idle_lines(std::vector<ChartLine>& lines)
+/// Without those that are missing, or nothing but rounding beside the others.
+std::vector<Course> courses_of(const Subject& subject, const RunTable& table)
 {
+  std::vector<Course> courses;
   double scale = 0;
-  for (const ChartLine& line : lines)
+  for (const Line& line : subject.lines)
   {
-    scale = std::max(scale, largest(line));
+    courses.push_back(course_of(table, line));
+    scale = std::max(scale, largest(courses.back()));
   }
-  std::erase_if(lines,
-    [scale](const ChartLine& line) { return line.x.empty() || largest(line) < 1e-6 * scale; });
+  std::erase_if(courses,
+    [scale](const Course& course)
+    { return course.time.empty() || largest(course) < 1e-6 * scale; });
+  return courses;
 }
 
 }
 
 std::optional<ChartSpec> run_chart(const std::string& name, const RunTable& table)
 {
-  const auto subject = std::find_if(
-    subjects.begin(), subjects.end(), [&](const Subject& s) { return s.name == name; });
-  if (subject == subjects.end())
+  const Subject& subject = subject_of(name);
+  const auto courses = courses_of(subject, table);
+  if (courses.empty())
   {
-    throw InputError("there is no chart \"" + name + "\"");
+    return std::nullopt;
   }
   ChartSpec chart;
-  chart.title = subject->title;
+  chart.title = subject.title;
   chart.x_label = "time";
-  chart.y_label = subject->y_label;
-  for (const Line& line : subject->lines)
+  chart.y_label = subject.y_label;
+  for (const Course& course : courses)
   {
-    chart.lines.push_back(line_of(table, line));
+    chart.lines.push_back({ course.line.label, course.time, course.value });
   }
-  remove_idle_lines(chart.lines);
   if (chart.lines.size() == 1 && !chart.lines[0].label.empty())
   {
     chart.y_label += ", " + chart.lines[0].label; // a legend for one line takes room for nothing
     chart.lines[0].label.clear();
   }
-  return chart.lines.empty() ? std::nullopt : std::optional(chart);
+  return chart;
+}
+
+std::vector<std::string> chart_columns(const std::string& name, const RunTable& table)
+{
+  std::vector<std::string> columns;
+  for (const Course& course : courses_of(subject_of(name), table))
+  {
+    columns.emplace_back(course.line.column);
+  }
+  return columns;
 }
 
 void write_run_plots(const Scene& scene, const RunTable& table, const std::filesystem::path& folder)

@@ -17,6 +17,9 @@ namespace vesicle
 /// to show of it. Throws InputError for an unknown subject.
 std::optional<ChartSpec> run_chart(const std::string& subject, const RunTable& table);
 
+/// The columns of the table that it shows.
+std::vector<std::string> chart_columns(const std::string& subject, const RunTable& table);
+
 /// Writes one PNG a subject into `folder`: those that say something of this scene (energy where
 /// there is bending, velocity under gravity, inclination in a flow, tension, drift). Throws
 /// IoError.

@@ -1,5 +1,6 @@
 # Sourced by apps/demo.sh and tests/run.sh: installs what is missing and builds.
 #   setup_packages          installs the packages of apps/packages.txt that are missing (root or sudo)
+#   install_packages NAME…  installs these
 #   setup_build [OPTION…]   configures and builds in build/release; OPTIONs go to CMake
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -12,11 +13,13 @@ setup_packages() {
     dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q '^install ok installed' ||
       missing+=("$package")
   done < "$root/apps/packages.txt"
-  [ ${#missing[@]} -eq 0 ] && return
+  [ ${#missing[@]} -eq 0 ] || install_packages "${missing[@]}"
+}
 
-  echo "Installing ${missing[*]}"
+install_packages() {
+  echo "Installing $*"
   as_root apt-get update -qq
-  as_root apt-get install -y -qq --no-install-recommends "${missing[@]}" > /dev/null
+  as_root apt-get install -y -qq --no-install-recommends "$@" > /dev/null
 }
 
 # as_root COMMAND…: by sudo where that is needed.

@@ -22,7 +22,6 @@ namespace vesicle
 namespace
 {
 
-constexpr double wanted_triangles = 20000;
 constexpr int most_parts = 16;
 
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
@@ -62,7 +61,7 @@ SparseMatrix matrix_of(const BasisTable& table, const std::vector<double>& coeff
 /// the coarse mesh, then those that were added on edges and inside.
 struct SmoothSurface::Lattice
 {
-  Lattice(const Triangles& coarse, int points);
+  Lattice(const Triangles& coarse, int points, int wanted_triangles);
 
   /// Adds the point in an element, or finds it where a neighbour has added it on their edge.
   int point(int element, int i, int j);
@@ -82,7 +81,7 @@ struct SmoothSurface::Lattice
   Eigen::SparseLU<Eigen::SparseMatrix<double>> control; ///< of limit points at the vertices
 };
 
-SmoothSurface::Lattice::Lattice(const Triangles& coarse, int points)
+SmoothSurface::Lattice::Lattice(const Triangles& coarse, int points, int wanted_triangles)
   : basis(coarse, points), vertices(points),
     parts(std::clamp(
       static_cast<int>(std::ceil(std::sqrt(wanted_triangles / static_cast<double>(coarse.rows())))),
@@ -201,7 +200,7 @@ Rows SmoothSurface::Lattice::normals(const Points& points) const
   return all;
 }
 
-SmoothSurface::SmoothSurface() = default;
+SmoothSurface::SmoothSurface(int wanted_triangles) : wanted_triangles_(wanted_triangles) {}
 SmoothSurface::~SmoothSurface() = default;
 
 SmoothMesh SmoothSurface::refine(vtkPolyData* coarse, const std::vector<std::string>& arrays)
@@ -211,7 +210,8 @@ SmoothMesh SmoothSurface::refine(vtkPolyData* coarse, const std::vector<std::str
     lattice_->basis.elements().rows() != mesh.triangles.rows() ||
     lattice_->basis.elements() != mesh.triangles)
   {
-    lattice_ = std::make_unique<Lattice>(mesh.triangles, static_cast<int>(mesh.points.rows()));
+    lattice_ = std::make_unique<Lattice>(
+      mesh.triangles, static_cast<int>(mesh.points.rows()), wanted_triangles_);
   }
   SmoothMesh fine;
   const Points points = lattice_->refined(mesh.points);

@@ -23,15 +23,17 @@ struct SmoothMesh
 class SmoothSurface
 {
 public:
-  SmoothSurface();
+  /// Refines to at least about this many triangles.
+  explicit SmoothSurface(int wanted_triangles = 20000);
   ~SmoothSurface();
 
-  /// About 20,000 triangles, whatever the mesh has. What the triangles alone decide is kept until
-  /// others come. Throws InputError where the mesh is not closed.
+  /// What the triangles alone decide is kept until others come. Throws InputError where the mesh is
+  /// not closed.
   SmoothMesh refine(vtkPolyData* coarse, const std::vector<std::string>& arrays);
 
 private:
   struct Lattice;
+  int wanted_triangles_;
   std::unique_ptr<Lattice> lattice_;
 };
 

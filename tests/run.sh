@@ -7,6 +7,12 @@ source "$(dirname "$0")/../apps/setup.sh"
 setup_packages
 options=(-DBUILD_TESTING=ON)
 [ "${CI:-}" = true ] && options+=(-DVESICLE_WARNINGS_AS_ERRORS=ON)
+if command -v npm > /dev/null; then
+  options+=(-DVESICLE_HTML=ON)
+fi
+if ! command -v npm > /dev/null || ! command -v chromium > /dev/null; then
+  echo "Skipped: tests of the page in a browser (npm or chromium missing; bash tests/browser.sh sets them up)"
+fi
 setup_build "${options[@]}"
 
 [ $# -eq 0 ] && set -- -LE long

@@ -33,13 +33,6 @@ namespace
   _exit(127);
 }
 
-Outcome outcome_of(const std::filesystem::path& program, const std::filesystem::path& folder,
-  const std::vector<std::string>& arguments)
-{
-  const int code = Command(program, folder, arguments).wait();
-  return { code, bytes_of(folder / "stdout.txt"), bytes_of(folder / "stderr.txt") };
-}
-
 }
 
 Command::Command(const std::filesystem::path& program, const std::filesystem::path& folder,
@@ -86,10 +79,17 @@ int Command::wait()
   return code_;
 }
 
+Outcome program(const std::filesystem::path& program, const std::filesystem::path& folder,
+  const std::vector<std::string>& arguments)
+{
+  const int code = Command(program, folder, arguments).wait();
+  return { code, bytes_of(folder / "stdout.txt"), bytes_of(folder / "stderr.txt") };
+}
+
 Outcome vesicle_command(
   const std::filesystem::path& folder, const std::vector<std::string>& arguments)
 {
-  return outcome_of(VESICLE_COMMAND, folder, arguments);
+  return program(VESICLE_COMMAND, folder, arguments);
 }
 
 Outcome python_file(const std::filesystem::path& folder, const std::filesystem::path& script,
@@ -97,7 +97,7 @@ Outcome python_file(const std::filesystem::path& folder, const std::filesystem::
 {
   std::vector<std::string> words{ "-B", script.string() }; // -B: leave nothing beside the scripts
   words.insert(words.end(), arguments.begin(), arguments.end());
-  return outcome_of("/usr/bin/python3", folder, words);
+  return program("/usr/bin/python3", folder, words);
 }
 
 void write_scene_file(const std::filesystem::path& folder)

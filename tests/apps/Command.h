@@ -42,6 +42,9 @@ struct Outcome
 /// Runs `vesicle arguments…` in the folder to its end.
 Outcome vesicle_command(
   const std::filesystem::path& folder, const std::vector<std::string>& arguments);
+/// Runs any program in the folder to its end.
+Outcome program(const std::filesystem::path& program, const std::filesystem::path& folder,
+  const std::vector<std::string>& arguments);
 /// Runs Debian's Python with this script; exit code 77 stands for a missing module.
 Outcome python_file(const std::filesystem::path& folder, const std::filesystem::path& script,
   const std::vector<std::string>& arguments);

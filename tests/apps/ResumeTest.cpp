@@ -26,8 +26,8 @@ protected:
   /// Long enough to be interrupted.
   std::vector<std::string> arguments(const std::string& output, const std::string& extra = "") const
   {
-    std::vector<std::string> words{ "run", "pear.toml", "--no-movie", "--no-plots", "--quiet", "-o", output,
-      "--set", "vesicle.triangles=320", "--set", "time.end=2.0" };
+    std::vector<std::string> words{ "run", "pear.toml", "--no-movie", "--no-plots", "--quiet", "-o",
+      output, "--set", "vesicle.triangles=320", "--set", "time.end=2.0" };
     if (!extra.empty())
     {
       words.push_back(extra);
@@ -122,8 +122,8 @@ TEST_F(Resume, AFinishedRunStaysAndCanGoFurther)
   ASSERT_EQ(vesicle_command(folder.path(), arguments("run", "--resume")).code, 0);
   EXPECT_EQ(bytes_of(folder / "run/pear.csv"), table);
   const auto further = vesicle_command(folder.path(),
-    { "run", "pear.toml", "--no-movie", "--no-plots", "-o", "run", "--set", "vesicle.triangles=320", "--set",
-      "time.end=2.2", "--resume" });
+    { "run", "pear.toml", "--no-movie", "--no-plots", "-o", "run", "--set", "vesicle.triangles=320",
+      "--set", "time.end=2.2", "--resume" });
   EXPECT_EQ(further.code, 0) << further.errors;
   EXPECT_TRUE(bytes_of(folder / "run/pear.csv").starts_with(table));
   EXPECT_TRUE(std::filesystem::exists(folder / "run/frames/pear_000022.vtu"));
@@ -131,7 +131,8 @@ TEST_F(Resume, AFinishedRunStaysAndCanGoFurther)
 
 TEST_F(Resume, AnotherSceneIsRefused)
 {
-  const std::vector<std::string> base{ "run", "pear.toml", "--no-movie", "--no-plots", "-o", "run", "--set" };
+  const std::vector<std::string> base{ "run", "pear.toml", "--no-movie", "--no-plots", "-o", "run",
+    "--set" };
   const auto run = [&](std::vector<std::string> extra)
   {
     auto words = base;
@@ -172,8 +173,8 @@ TEST_F(Resume, ACheckpointWithOtherColumnsIsRefused)
 
 TEST_F(Resume, WithoutARunItStarts)
 {
-  const auto outcome = vesicle_command(
-    folder.path(), { "run", "pear.toml", "--no-movie", "--no-plots", "--resume", "--set", "time.end=0.1" });
+  const auto outcome = vesicle_command(folder.path(),
+    { "run", "pear.toml", "--no-movie", "--no-plots", "--resume", "--set", "time.end=0.1" });
   EXPECT_EQ(outcome.code, 0) << outcome.errors;
 }
 

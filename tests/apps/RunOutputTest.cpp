@@ -194,6 +194,45 @@ TEST_F(RunOutput, MontageShowsShapesAtTheirTimes)
     4);
 }
 
+TEST_F(RunOutput, APageIsOneFileOrSaysWhatTheBuildLacks)
+{
+  const auto outcome =
+    vesicle_command(folder->path(), { "render", "pear/pear.pvd", "--html", "page.html" });
+  if (!std::filesystem::exists(VESICLE_BINARY_DIR "/share/vesicle/vtk.js"))
+  {
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.errors.find("-DVESICLE_HTML=ON"), std::string::npos) << outcome.errors;
+    return;
+  }
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const std::string page = bytes_of(*folder / "page.html");
+  // Nothing is fetched: no element with a source or a link, and every mark was replaced.
+  const std::string before = page.substr(0, page.find("<script"));
+  EXPECT_EQ(before.find("src="), std::string::npos);
+  EXPECT_EQ(before.find("href="), std::string::npos);
+  for (const char* mark : { "@DATA@", "@VTK_JS@", "@PAGE_JS@", "@LICENSE@", "<script src" })
+  {
+    EXPECT_EQ(page.find(mark), std::string::npos) << mark;
+  }
+  const std::string begin = "<script type=\"application/json\" id=\"data\">";
+  const std::size_t from = page.find(begin) + begin.size();
+  const auto data = nlohmann::json::parse(page.substr(from, page.find("</script>", from) - from));
+  ASSERT_EQ(data["frames"].size(), 6u);
+  EXPECT_EQ(data["triangles"].size(), 1u); // shared by all frames
+  // 42 points of three floats, in base64; 80 triangles.
+  EXPECT_EQ(data["frames"][5]["points"].get<std::string>().size(), 42u * 3 * 4 / 3 * 4);
+  EXPECT_EQ(data["triangles"][0].get<std::string>().size(), 80u * 3 * 4 / 3 * 4);
+  EXPECT_EQ(data["frames"][2]["label"], "t = 0.2");
+  EXPECT_EQ(data["table"]["columns"][1], "time");
+  EXPECT_EQ(data["table"]["values"][1].back(), 0.5);
+  EXPECT_EQ(data["table"]["chosen"], nlohmann::json::array({ "inclination_deg" }));
+  for (const auto& array : data["arrays"])
+  {
+    EXPECT_EQ(array["frames"].size(), 6u);
+    EXPECT_LE(array["extent"][0], array["extent"][1]);
+  }
+}
+
 TEST_F(RunOutput, ABrokenTableIsNamedWithItsLine)
 {
   std::filesystem::copy(
