@@ -162,7 +162,6 @@ void Report::picture(const std::string& name, const Simulation& simulation, cons
   {
     surface->GetPointData()->AddArray(to_array(array, values));
   }
-  settings.comoving = true;
   Picture picture(std::move(settings));
   picture.draw(surface, simulation.time(state));
   picture.write_png(*options_.plots / (name + ".png"));
