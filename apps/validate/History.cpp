@@ -19,30 +19,21 @@ Scene scene_of(const std::string& name, const std::vector<std::string>& override
   return parse_scene(data_file(file), "data/" + file, ".", overrides);
 }
 
-History simulate(const Scene& scene, const std::function<void(const State&)>& watch)
+History simulate(const Scene& scene)
 {
-  return simulate(scene, make_start_mesh(scene), watch);
+  return simulate(scene, make_start_mesh(scene));
 }
 
-History simulate(
-  const Scene& scene, const TriangleMesh& start, const std::function<void(const State&)>& watch)
+History simulate(const Scene& scene, const TriangleMesh& start)
 {
   const auto simulation = std::make_shared<Simulation>(scene, start);
   History run{ simulation, {}, simulation->start() };
-  const auto record = [&]
-  {
-    run.rows.push_back(simulation->diagnose(run.last));
-    if (watch)
-    {
-      watch(run.last);
-    }
-  };
   Progress progress(!isatty(STDOUT_FILENO), 0, scene.time.end);
-  record();
+  run.rows.push_back(simulation->diagnose(run.last));
   while (!simulation->finished(run.last))
   {
     run.last = simulation->step(run.last);
-    record();
+    run.rows.push_back(simulation->diagnose(run.last));
     progress.step(run.end());
   }
   return run;

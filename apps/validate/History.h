@@ -24,10 +24,9 @@ struct History
 /// A scene of data/scenes by its name, with overrides "table.key=value".
 Scene scene_of(const std::string& name, const std::vector<std::string>& overrides = {});
 
-/// From the scene's own start mesh, or from `start`. `watch` sees every state, also the first.
-History simulate(const Scene& scene, const std::function<void(const State&)>& watch = {});
-History simulate(const Scene& scene, const TriangleMesh& start,
-  const std::function<void(const State&)>& watch = {});
+/// From the scene's own start mesh, or from `start`.
+History simulate(const Scene& scene);
+History simulate(const Scene& scene, const TriangleMesh& start);
 
 /// A quantity of every row against time.
 ChartLine line_of(const History& run, const std::string& label,

@@ -48,7 +48,9 @@ constexpr Moment theory[] = { { 0, 1, 1, -18.790698 }, { 0.1, 1.658714, 0.781546
 
 void two_modes(Report& report)
 {
-  const double amplitude = 0.005;
+  // Large enough for the mesh's own unevenness (at half of it the first tension is 20% off with 320
+  // triangles), small enough for linear theory: nonlinear corrections are 1 to 2%.
+  const double amplitude = 0.01;
   Scene scene;
   scene.vesicle.shape.kind = ShapeRequest::Kind::perturbed;
   scene.vesicle.shape.modes = { { 2, 0, amplitude }, { 4, 0, amplitude } };
@@ -76,9 +78,9 @@ void two_modes(Report& report)
     const Eigen::VectorXd u = modes_of(simulation, state) / amplitude;
     const Eigen::VectorXd tension = simulation.fields(state).at("Tension");
     const std::string when = fmt::format(" at t = {}", exact.time);
-    report.add(absolute("u2" + when, exact.u2, u[2], 0.05));
-    report.add(absolute("u4" + when, exact.u4, u[4], 0.05));
-    report.add(relative("sigma" + when, exact.sigma, tension.mean(), 0.05));
+    report.add(absolute("u2" + when, exact.u2, u[2], 0.03));
+    report.add(absolute("u4" + when, exact.u4, u[4], 0.03));
+    report.add(relative("sigma" + when, exact.sigma, tension.mean(), 0.04));
   }
   ChartLine u2{ "u2, theory", {}, {}, ChartLine::Style::points },
     u4{ "u4, theory", {}, {}, ChartLine::Style::points };
@@ -94,14 +96,22 @@ void two_modes(Report& report)
   report.chart("two-modes", { chart });
 }
 
+// Long fixed steps from where the first, fast changes are over (before, nodes would move by more
+// than the mesh bears, and a fixed step stops).
 void energy_falls(Report& report)
 {
+  const std::string triangles = fmt::format("vesicle.triangles={}", report.triangles());
+  const History begun =
+    simulate(scene_of("relax-prolate", { triangles, "time.end=0.5", "time.output_every=0.5" }));
+  report.add(at_most("rise of E in an adaptive step", 1e-6, largest_energy_rise(begun)));
+  const TriangleMesh shape{ begun.simulation->points(begun.last), begun.simulation->triangles() };
   ChartSpec chart{ "Relaxation with fixed steps", "time", "E / 8 pi EB", {} };
   for (const double step : { 0.02, 0.1, 0.2 })
   {
-    const History run = simulate(scene_of("relax-prolate",
-      { fmt::format("vesicle.triangles={}", report.triangles()), fmt::format("time.step={}", step),
-        "time.end=4", "time.output_every=1" }));
+    const History run = simulate(
+      scene_of("relax-prolate",
+        { triangles, fmt::format("time.step={}", step), "time.end=2", "time.output_every=1" }),
+      shape);
     report.add(
       at_most(fmt::format("rise of E in a step of {}", step), 1e-6, largest_energy_rise(run)));
     chart.lines.push_back(line_of(

@@ -1,6 +1,5 @@
 #include "apps/validate/Stomatocyte.h"
 
-#include "solver/Errors.h"
 #include "solver/dynamics/Simulation.h"
 #include "solver/mesh/Remesh.h"
 
@@ -15,7 +14,7 @@ namespace
 
 // Half the opening, seen from the centre of the shell: the branch's shapes are narrower, but an
 // open bowl has room for its triangles.
-constexpr double opening = 40 * std::numbers::pi / 180;
+constexpr double opening = 25 * std::numbers::pi / 180;
 
 /// Point of the meridian at the share s of its length, from the outer pole (bottom) to the inner
 /// one. Middle radius 1, half thickness h.
@@ -39,9 +38,9 @@ Eigen::Vector2d meridian(double h, double s)
   return on_circle(1 - h, reach - (way - rim) / (1 - h));
 }
 
-TriangleMesh bowl(double h, int triangles)
+SphereImage bowl(double h)
 {
-  const SphereImage image = [h](const Vector3& d) -> Vector3
+  return [h](const Vector3& d) -> Vector3
   {
     const double polar = std::acos(std::clamp(-d.z(), -1., 1.));
     const Eigen::Vector2d p = meridian(h, polar / std::numbers::pi);
@@ -49,29 +48,33 @@ TriangleMesh bowl(double h, int triangles)
     const double scale = across > 0 ? p[0] / across : 0;
     return { scale * d.x(), scale * d.y(), p[1] };
   };
-  return surface_mesh(image, uniform_mesh(image, geodesic_frequency(triangles), false));
+}
+
+/// The half thickness with the reduced volume v above fixed directions: the thicker, the rounder.
+double solve_thickness(const Scene& scene, const SphereMesh& directions, double v)
+{
+  double low = 0.02, high = 0.6;
+  for (int step = 0; step < 60 && high - low > 1e-9; ++step)
+  {
+    const double h = (low + high) / 2;
+    const SurfaceMeasures m = surface_measures(scene, surface_mesh(bowl(h), directions));
+    (reduced_volume(m.area, m.volume) > v ? high : low) = h;
+  }
+  return (low + high) / 2;
 }
 
 }
 
 TriangleMesh stomatocyte(const Scene& scene, double v)
 {
-  const int triangles = scene.vesicle.shape.triangles;
-  const auto excess = [&](double h)
+  double h = v / 2; // nearly, of such shells
+  SphereMesh directions;
+  for (int sweep = 0; sweep < 2; ++sweep)
   {
-    const SurfaceMeasures m = surface_measures(scene, bowl(h, triangles));
-    return reduced_volume(m.area, m.volume) - v;
-  };
-  double low = 0.05, high = 0.6; // the thicker, the rounder
-  double h = (low + high) / 2;
-  for (double error = excess(h); std::abs(error) > 1e-6; error = excess(h))
-  {
-    if (high - low < 1e-9)
-      throw InputError("no bowl has this reduced volume");
-    (error > 0 ? high : low) = h;
-    h = (low + high) / 2;
+    directions = uniform_mesh(bowl(h), geodesic_frequency(scene.vesicle.shape.triangles), false);
+    h = solve_thickness(scene, directions, v);
   }
-  TriangleMesh mesh = bowl(h, triangles);
+  TriangleMesh mesh = surface_mesh(bowl(h), directions);
   mesh.points *= std::cbrt(4 * std::numbers::pi / (3 * surface_measures(scene, mesh).volume));
   return mesh;
 }

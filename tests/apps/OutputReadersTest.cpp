@@ -19,8 +19,8 @@ protected:
   {
     folder = new TemporaryFolder;
     write_scene_file(folder->path());
-    run = vesicle_command(
-      folder->path(), { "run", "pear.toml", "--no-movie", "--quiet", "--set", "time.end=0.2" });
+    run = vesicle_command(folder->path(),
+      { "run", "pear.toml", "--no-movie", "--no-plots", "--quiet", "--set", "time.end=0.2" });
   }
   static void TearDownTestSuite() { delete folder; }
 
