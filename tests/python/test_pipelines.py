@@ -40,6 +40,29 @@ def small_shear():
     return stepper
 
 
+class Flow(unittest.TestCase):
+    def test_around_and_inside(self):
+        source = vesicle.vtkVesicleSource()
+        source.SetShapeByName("prolate")
+        source.SetReducedVolume(0.9)
+        source.SetTriangles(80)
+        forces = connected(vesicle.vtkVesicleForceFilter(), source)
+        forces.SetFlowKind(forces.Shear)
+        forces.SetFlowRate(2)
+        membrane = vesicle.update(forces)
+        points = numpy.array([[0, 0, 0], [0, 0, 100], [100, 0, 0]], dtype=float)
+        places = vtkPolyData()
+        dataset_adapter.WrapDataObject(places).Points = points
+        probe = vesicle.vtkVesicleProbeFilter()
+        probe.SetInputData(places)
+        probe.SetSourceConnection(forces.GetOutputPort())
+        flow = vesicle.update(probe)
+        self.assertEqual(list(flow.PointData["Inside"]), [1, 0, 0])
+        self.assertEqual(len(membrane.PointData["Tension"]), 42)
+        # Far away the shear flow is what it was.
+        numpy.testing.assert_allclose(flow.PointData["Velocity"][1], [200, 0, 0], atol=1e-2)
+
+
 class Curvature(unittest.TestCase):
     def test_of_a_sphere_that_vtk_moved(self):
         transform = vtkTransform()

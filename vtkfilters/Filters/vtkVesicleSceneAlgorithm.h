@@ -126,12 +126,18 @@ public:
 
   ///@{
   /**
-   * Gravity by the density of the fluid outside less that inside, and the acceleration along −z;
-   * the load is their product times z n, a force an area. Not used if there is a BondNumber.
-   * Default: 0 and 1.
+   * Gravity by the density of the fluid outside less that inside, a mass a volume; with
+   * Acceleration it makes the load, their product times z n, a force an area. Not used if there is
+   * a BondNumber. Default: 0.
    */
   vtkSetMacro(DensityDifference, double);
   vtkGetMacro(DensityDifference, double);
+  ///@}
+
+  ///@{
+  /**
+   * Acceleration of gravity, along −z, for DensityDifference. Default: 1.
+   */
   vtkSetMacro(Acceleration, double);
   vtkGetMacro(Acceleration, double);
   ///@}
