@@ -8,9 +8,11 @@ import numpy
 import vesicle
 from support import sphere, temporary_folder
 from vtkmodules.numpy_interface import dataset_adapter
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
 from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData
+from vtkmodules.vtkFiltersFlowPaths import vtkStreamTracer
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter, vtkWarpVector
 
 
@@ -61,6 +63,38 @@ class Flow(unittest.TestCase):
         self.assertEqual(len(membrane.PointData["Tension"]), 42)
         # Far away the shear flow is what it was.
         numpy.testing.assert_allclose(flow.PointData["Velocity"][1], [200, 0, 0], atol=1e-2)
+
+    def test_streamlines_through_a_bare_surface_follow_the_ambient_shear(self):
+        source = sphere(1.05)
+        forces = connected(vesicle.vtkVesicleForceFilter(), source)
+        forces.SetBendingRigidity(0)
+        forces.IncompressibleOff()
+        forces.SetFlowKind(vesicle.vtkVesicleForceFilter.Shear)
+        forces.SetFlowRate(2)
+        box = vtkImageData()
+        box.SetDimensions(9, 9, 9)
+        box.SetOrigin(-2, -2, -2)
+        box.SetSpacing(0.5, 0.5, 0.5)
+        flow = vesicle.vtkVesicleProbeFilter()
+        flow.SetInputData(box)
+        flow.SetSourceConnection(forces.GetOutputPort())
+        velocity = vesicle.update(flow).PointData["Velocity"]
+        z = numpy.array([box.GetPoint(i)[2] for i in range(box.GetNumberOfPoints())])
+        numpy.testing.assert_allclose(velocity, numpy.outer(2 * z, [1, 0, 0]), atol=1e-12)
+        inside = vesicle.update(flow).PointData["Inside"]
+        self.assertEqual(inside.sum(), 33)  # points of the grid not farther than 1 from its middle
+
+        seeds = vtkPoints()
+        seeds.InsertNextPoint(-1.8, 0.1, 0.7)
+        start = vtkPolyData()
+        start.SetPoints(seeds)
+        tracer = connected(vtkStreamTracer(), flow)
+        tracer.SetSourceData(start)
+        tracer.SetInputArrayToProcess(0, 0, 0, vtkPolyData.FIELD_ASSOCIATION_POINTS, "Velocity")
+        tracer.SetMaximumPropagation(10)
+        line = vesicle.update(tracer).Points
+        self.assertGreater(line[:, 0].max(), 1.5)
+        numpy.testing.assert_allclose(line[:, 1:], [[0.1, 0.7]] * len(line), atol=1e-6)
 
 
 class Curvature(unittest.TestCase):

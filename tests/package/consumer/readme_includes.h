@@ -2,8 +2,11 @@
 // What the README's C++ uses.
 
 #include "vtkVesicleCurvatureFilter.h"
+#include "vtkVesicleForceFilter.h"
+#include "vtkVesicleProbeFilter.h"
 #include "vtkVesicleSource.h"
 #include "vtkVesicleStepper.h"
 
+#include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
