@@ -27,8 +27,9 @@ class Plugin(unittest.TestCase):
     def pipeline(self):
         shape = simple.VesicleSource(Shape="Prolate", ReducedVolume=0.95, Triangles=180,
                                      Axis=[1, 0, 0])
-        simulation = simple.VesicleSimulationFromMesh(Input=shape, FileName=scene,
-                                                      Overrides=overrides)
+        simulation = simple.VesicleSimulationFromMesh(Input=shape, FlowKind="Shear", FlowRate=3,
+                                                      BendingRigidity=0, EndTime=1,
+                                                      OutputEvery=0.25)
         return shape, simulation, simple.VesicleCurvature(Input=simulation)
 
     def test_times_are_in_the_time_controls(self):
@@ -62,6 +63,26 @@ class Plugin(unittest.TestCase):
                              set(surface.PointData.keys()))
         self.assertEqual(surface.FieldData["TimeValue"][0], 0.5)
         self.assertTrue(numpy.isfinite(surface.PointData["Bending_Force"]).all())
+
+    def test_a_scene_replaces_the_properties(self):
+        _, simulation, _ = self.pipeline()
+        simulation.FileName = scene
+        simulation.Overrides = ["time.end=0.5", "time.output_every=0.5"]
+        simulation.UpdatePipelineInformation()
+        self.assertEqual(list(simulation.TimestepValues), [0, 0.5])
+
+    def test_streamlines_around_a_vesicle(self):
+        shape, *_ = self.pipeline()
+        forces = simple.VesicleForces(Input=shape, FlowKind="Uniform", FlowVelocity=[1, 0, 0])
+        image = simple.FastUniformGrid(WholeExtent=[-3, 3, -3, 3, -3, 3])
+        flow = simple.VesicleFlow(Input=image, Vesicle=forces)
+        surface = data(forces)
+        self.assertLessEqual({"Tension_Force", "Velocity", "Membrane_Force"},
+                             set(surface.PointData.keys()))
+        self.assertTrue(numpy.isfinite(data(flow).PointData["Velocity"]).all())
+        self.assertEqual(data(flow).PointData["Inside"].max(), 1)
+        lines = simple.StreamTracer(Input=flow, SeedType="Line", Vectors=["POINTS", "Velocity"])
+        self.assertGreater(len(data(lines).Points), 10)
 
     def test_the_sphere_has_its_curvature(self):
         sphere = simple.VesicleSource(Shape="Sphere", ReducedVolume=0, Radius=2)
