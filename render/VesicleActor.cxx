@@ -41,7 +41,7 @@ VesicleActor::VesicleActor(Look look, vtkLookupTable* colors) : look_(std::move(
   edges_->GetProperty()->LightingOff();
   edges_->SetVisibility(look_.edges && look_.smooth);
   edge_mapper_->SetResolveCoincidentTopologyToPolygonOffset(); // in front of the surface
-  edge_mapper_->SetRelativeCoincidentTopologyLineOffsetParameters(-2, -2);
+  edge_mapper_->SetRelativeCoincidentTopologyLineOffsetParameters(-4, -60);
   arrows_.actor()->SetVisibility(look_.arrows);
 }
 
