@@ -39,7 +39,7 @@ struct PictureSettings
   bool axes = true;
   std::vector<Guide> guides;      ///< beside the axes
   std::optional<ChartSpec> chart; ///< at the right, against time
-  int samples = 4; ///< multisampling: soft outlines for three times the work; 0: none
+  int samples = 4;                ///< multisampling: soft outlines; 0: none
   std::array<double, 3> background{ 1, 1, 1 };
 };
 
