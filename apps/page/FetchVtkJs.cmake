@@ -16,7 +16,7 @@ function(vesicle_fetch_vtk_js folder result)
     endif()
     execute_process(
       COMMAND "${NPM_PROGRAM}" pack "vtk.js@${vtk_js_version}" --silent
-      WORKING_DIRECTORY "${CMAKE_BINARY_DIR}" TIMEOUT 300
+      WORKING_DIRECTORY "${CMAKE_BINARY_DIR}" TIMEOUT 120
       RESULT_VARIABLE failed OUTPUT_QUIET ERROR_VARIABLE complaint)
     if(failed OR NOT EXISTS "${archive}")
       set(${result} "npm could not fetch vtk.js@${vtk_js_version}: ${complaint}" PARENT_SCOPE)
