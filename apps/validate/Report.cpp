@@ -2,6 +2,7 @@
 
 #include "apps/Progress.h"
 
+#include "render/SceneGuides.h"
 #include "solver/dynamics/Simulation.h"
 #include "vtkfilters/Filters/FileBytes.h"
 #include "vtkfilters/Filters/MeshConversion.h"
@@ -162,6 +163,8 @@ void Report::picture(const std::string& name, const Simulation& simulation, cons
   {
     surface->GetPointData()->AddArray(to_array(array, values));
   }
+  settings.smooth = true;
+  settings.guides = scene_guides(simulation.scene(), View::named(settings.view));
   Picture picture(std::move(settings));
   picture.draw(surface, simulation.time(state));
   picture.write_png(*options_.plots / (name + ".png"));
