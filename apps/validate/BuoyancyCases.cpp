@@ -30,8 +30,8 @@ History run_scene(const Report& report, const std::string& name, std::vector<std
   return simulate(scene_of(name, overrides));
 }
 
-/// The shape's height above and below the centroid. The reference is 1% shorter than what this
-/// program finds at both resolutions, as it is slower.
+/// The vertices' height above and below the centroid: whether one lies on the pole makes 0.02 with
+/// 320 triangles.
 void add_extent(Report& report, const History& run, double lowest, double highest)
 {
   const Eigen::VectorXd z = run.simulation->points(run.last).col(2);
@@ -101,8 +101,8 @@ void banana(Report& report)
   const RelativeSpeeds speeds = relative_speeds(run);
   report.add(at_most("normal speed / U", 2e-2, speeds.normal / speed(end),
     "stationary: the shape moves as a whole"));
-  report.add(at_least(
-    "lipid flow / U", 0.1, speeds.tangential / speed(end), "not axisymmetric: the membrane flows"));
+  report.add(at_least("lipid flow / U", 0.05, speeds.tangential / speed(end),
+    "not axisymmetric: the membrane flows"));
   report.add(at_least("semi-axis 1 / semi-axis 2", 1.2, end.semi_axes[0] / end.semi_axes[1]));
   report.add(at_least("semi-axis 2 / semi-axis 3", 1.05, end.semi_axes[1] / end.semi_axes[2]));
   report.add(absolute("tilt (deg)", 90, tilt(end), 1));
