@@ -24,13 +24,13 @@ History simulate(const Scene& scene)
   return simulate(scene, make_start_mesh(scene));
 }
 
-History simulate(const Scene& scene, const TriangleMesh& start)
+History simulate(const Scene& scene, const TriangleMesh& start, double latest)
 {
   const auto simulation = std::make_shared<Simulation>(scene, start);
   History run{ simulation, {}, simulation->start() };
   Progress progress(!isatty(STDOUT_FILENO), 0, scene.time.end);
   run.rows.push_back(simulation->diagnose(run.last));
-  while (!simulation->finished(run.last))
+  while (!simulation->finished(run.last) && run.last.time < latest)
   {
     run.last = simulation->step(run.last);
     run.rows.push_back(simulation->diagnose(run.last));

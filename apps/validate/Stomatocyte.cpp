@@ -12,15 +12,15 @@ namespace vesicle::validation
 namespace
 {
 
-// Half the opening, seen from the centre of the shell: the branch's shapes are narrower, but an
-// open bowl has room for its triangles.
-constexpr double opening = 25 * std::numbers::pi / 180;
+// Radius of the hole, in middle radii of the shell: the branch's shapes have narrower ones, but the
+// triangles of an open bowl have room.
+constexpr double hole = 0.25;
 
 /// Point of the meridian at the share s of its length, from the outer pole (bottom) to the inner
 /// one. Middle radius 1, half thickness h.
 Eigen::Vector2d meridian(double h, double s)
 {
-  const double reach = std::numbers::pi - opening; // polar angle of the rim
+  const double reach = std::numbers::pi - std::asin(std::min(1., hole + h)); // to the rim
   const double outer = (1 + h) * reach, rim = std::numbers::pi * h, inner = (1 - h) * reach;
   double way = s * (outer + rim + inner);
   const auto on_circle = [](double radius, double angle) -> Eigen::Vector2d {
