@@ -24,6 +24,11 @@ using ColumnMatrix = Eigen::SparseMatrix<double>;
 // little.
 constexpr int geometry_grading = 3;
 constexpr int geometry_points = 6;
+// Of the bending energy, its gradient and its Hessian. Around extraordinary vertices the surface
+// can't follow the curvature and ripples; three points a triangle feel less of that than an exact
+// integral. Relaxed prolates of 1,280 triangles have an energy 0.03, 0.09 and 0.10% too high at
+// v = 0.8, 0.7 and 0.65, against 0.06, 0.17 and 0.17% with six points and graded elements.
+constexpr int bending_points = 3;
 
 // Bounds of the eigenvalues of P: 1/4 to 1 for valence six, a little lower for small valences.
 constexpr double smallest_eigenvalue = 0.2, largest_eigenvalue = 1;
@@ -83,6 +88,7 @@ public:
   LoopDiscretization(const Model& model, const Triangles& triangles, int nodes, int quadrature)
     : model_(model), basis_(triangles, nodes),
       geometry_(tabulate_rule(basis_, triangle_rule(geometry_points), geometry_grading)),
+      bending_(tabulate_rule(basis_, triangle_rule(bending_points))),
       samples_(cut_.tabulate(basis_)), layer_(basis_, smooth_layer_quadrature(quadrature)),
       P_(basis_.collocation())
   {
@@ -114,13 +120,15 @@ public:
     for (int d = 0; d < 3; ++d)
       s.centroid_velocity.row(d) = from_control(W.row(d).transpose()).transpose();
     s.area_rate = area_rate_matrix(geometry_, surface);
-    s.bending_energy = vesicle::bending_energy(surface, curvature);
+    const SurfacePoints bent = evaluate(bending_, s.control);
+    const RowCurvature bent_curvature = row_curvature(bending_, bent, s.control);
+    s.bending_energy = vesicle::bending_energy(bent, bent_curvature);
 
     s.bending_mass = mass_matrix(geometry_, surface);
     const Eigen::SimplicialLDLT<ColumnMatrix> mass{ ColumnMatrix(s.bending_mass) };
     const auto project = [&](const Eigen::VectorXd& load) -> Eigen::VectorXd
     { return mass.solve(load); };
-    const Eigen::VectorXd phi = project(bending_load(geometry_, surface, curvature));
+    const Eigen::VectorXd phi = project(bending_load(bending_, bent, bent_curvature));
     s.curvature.normal = s.outward;
     s.curvature.mean = at_vertices(project(moments(geometry_, surface, curvature.mean)));
     s.curvature.gauss = at_vertices(project(moments(geometry_, surface, curvature.gauss)));
@@ -133,7 +141,8 @@ public:
     {
       s.bending =
         model_.fitted_bending ? Eigen::VectorXd(fit_.solve(bending_density(s.curvature))) : phi;
-      s.bending_response = along_normals(bending_hessian(geometry_, surface, curvature), s.outward);
+      s.bending_response =
+        along_normals(bending_hessian(bending_, bent, bent_curvature), s.outward);
     }
     if (model_.incompressible)
     {
@@ -168,8 +177,8 @@ public:
   double bending_energy(const Points& vertices) const override
   {
     const Points control = rows_of_three(to_control(flat(vertices)));
-    const SurfacePoints surface = evaluate(geometry_, control);
-    return 2 * surface.area_weight.dot(mean_curvature(geometry_, surface, control).cwiseAbs2());
+    const SurfacePoints surface = evaluate(bending_, control);
+    return 2 * surface.area_weight.dot(mean_curvature(bending_, surface, control).cwiseAbs2());
   }
 
   void respond(const ShapeOperators& s, VelocityResponse& response) const override
@@ -325,7 +334,7 @@ private:
 
   Model model_;
   LoopBasis basis_;
-  BasisTable geometry_;
+  BasisTable geometry_, bending_;
   CutElement cut_;
   BasisTable samples_;
   SingleLayer layer_;
