@@ -9,9 +9,9 @@
 #include "solver/membrane/Bending.h"
 #include "solver/mesh/Resample.h"
 #include "solver/mesh/Shapes.h"
-#include "solver/reference/ExactCurvature.h"
-#include "solver/reference/SampleMeshes.h"
-#include "solver/reference/Table.h"
+#include "solver/membrane/ExactCurvature.h"
+#include "solver/mesh/SampleMeshes.h"
+#include "solver/state/Table.h"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include "apps/validate/History.h"
 #include "apps/validate/Stomatocyte.h"
 
-#include "solver/reference/Table.h"
+#include "solver/state/Table.h"
 
 #include <fmt/format.h>
 
@@ -249,13 +249,13 @@ std::vector<Case> equilibrium_cases()
 {
   // 0.1% is asked for at 1,280 triangles; measured at 320 0.3 to 0.8%.
   static const char* const slender =
-    "0.1% is asked for; the error of the slender shapes falls as 1/N, 0.17% at 1,280";
+    "the error falls as 1/N, from extraordinary vertices: 0.1% takes a few more triangles";
   static const char* const neck = "its neck, of radius 0.097, is narrower than an edge of 1,280 "
                                   "triangles (0.19), and still closing";
   static const char* const mouth = "its mouth still moves at the end (t = 4)";
   static const std::vector<Equilibrium> equilibria{
-    { { "prolate", 0.65 }, full, { 1e-2, 2e-3 }, slender },
-    { { "prolate", 0.7 }, full, { 1e-2, 2e-3 }, slender },
+    { { "prolate", 0.65 }, full, { 1e-2, 1.2e-3 }, slender },
+    { { "prolate", 0.7 }, full, { 1e-2, 1e-3 } },
     { { "prolate", 0.8 }, fast, { 5e-3, 1e-3 }, "", "prolate_v080", { 1e-2, 2e-3 } },
     { { "prolate", 0.9 }, fast, { 6e-3, 1e-3 }, "", "prolate_v090", { 2e-2, 4e-3 } },
     { { "prolate", 0.95 }, fast, { 2e-3, 1e-3 }, "", "prolate_v095", { 5e-3, 1e-3 } },

@@ -4,8 +4,8 @@
 
 #include "solver/geometry/LoopBasis.h"
 #include "solver/mesh/Shapes.h"
-#include "solver/reference/LayerModes.h"
-#include "solver/reference/SampleMeshes.h"
+#include "solver/stokes/LayerModes.h"
+#include "solver/mesh/SampleMeshes.h"
 #include "solver/stokes/SingleLayer.h"
 
 #include <Eigen/LU>

@@ -1,8 +1,8 @@
 // Not covered: meshes with noise in their points (scans), where fits of fourth order amplify it.
 #include "solver/geometry/FittedCurvature.h"
 #include "solver/membrane/Bending.h"
-#include "solver/reference/ExactCurvature.h"
-#include "solver/reference/Table.h"
+#include "solver/membrane/ExactCurvature.h"
+#include "solver/state/Table.h"
 #include "tests/solver/support/TestMeshes.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "solver/stokes/SingleLayer.h"
 
-#include "solver/reference/LayerModes.h"
+#include "solver/stokes/LayerModes.h"
 #include "tests/solver/support/TestMeshes.h"
 
 #include <Eigen/LU>

@@ -2,7 +2,7 @@
 // Meshes for tests: regular and irregular, spherical and not.
 
 #include "solver/mesh/Shapes.h"
-#include "solver/reference/SampleMeshes.h"
+#include "solver/mesh/SampleMeshes.h"
 
 #include <map>
 #include <string>

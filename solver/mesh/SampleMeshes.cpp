@@ -1,4 +1,4 @@
-#include "solver/reference/SampleMeshes.h"
+#include "solver/mesh/SampleMeshes.h"
 
 #include "solver/mesh/FlippableMesh.h"
 #include "solver/mesh/Shapes.h"

@@ -1,5 +1,5 @@
 // Against tables made independently in double precision.
-#include "solver/reference/ExactCurvature.h"
+#include "solver/membrane/ExactCurvature.h"
 #include "tests/solver/support/TestMeshes.h"
 
 #include <gtest/gtest.h>

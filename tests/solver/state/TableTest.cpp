@@ -1,4 +1,4 @@
-#include "solver/reference/Table.h"
+#include "solver/state/Table.h"
 
 #include "solver/Errors.h"
 

@@ -1,4 +1,4 @@
-#include "solver/reference/ExactCurvature.h"
+#include "solver/membrane/ExactCurvature.h"
 
 #include "solver/membrane/Bending.h"
 #include "solver/stokes/SingleLayer.h"
@@ -12,8 +12,8 @@ namespace vesicle
 namespace
 {
 
-// Step of the differences. Where the surface of 4.1 is most curved (Δ_s H = −600) their error, h⁶, is
-// 1e-8 of the value; rounding, 1e-16/h², is below 1e-9.
+// Step of the differences. Where the surface of 4.1 is most curved (Δ_s H = −600) their error, h⁶,
+// is 1e-8 of the value; rounding, 1e-16/h², is below 1e-9.
 constexpr double difference_step = 1e-3;
 
 struct Shape

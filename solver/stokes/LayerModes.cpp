@@ -1,4 +1,4 @@
-#include "solver/reference/LayerModes.h"
+#include "solver/stokes/LayerModes.h"
 
 namespace vesicle
 {
