@@ -1,6 +1,7 @@
 #include "render/Chart.h"
 
 #include "render/ChartItem.h"
+#include "render/Picture.h"
 #include "render/PngFile.h"
 #include "render/RenderBackend.h"
 #include "solver/Errors.h"
@@ -22,7 +23,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkTable.h"
 #include "vtkTextProperty.h"
-#include "vtkWindowToImageFilter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -218,13 +218,7 @@ void write_charts(const std::filesystem::path& file, const std::vector<ChartSpec
     window->AddRenderer(renderer);
   }
   window->Render();
-  vtkNew<vtkWindowToImageFilter> grab;
-  grab->SetInput(window);
-  grab->ReadFrontBufferOff();
-  grab->ShouldRerenderOff();
-  grab->SetInputBufferTypeToRGB();
-  grab->Update();
-  write_png(file, grab->GetOutput());
+  write_png(file, grab_image(window));
 }
 
 }
