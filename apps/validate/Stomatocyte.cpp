@@ -71,7 +71,7 @@ TriangleMesh stomatocyte(const Scene& scene, double v)
   SphereMesh directions;
   for (int sweep = 0; sweep < 2; ++sweep)
   {
-    directions = uniform_mesh(bowl(h), geodesic_frequency(scene.vesicle.shape.triangles), false);
+    directions = uniform_mesh(bowl(h), scene.vesicle.shape.triangles, Symmetry::none);
     h = solve_thickness(scene, directions, v);
   }
   TriangleMesh mesh = surface_mesh(bowl(h), directions);

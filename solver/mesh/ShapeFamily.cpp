@@ -36,6 +36,14 @@ ShapeFamily spheroid(double sign)
   return family;
 }
 
+Symmetry ellipsoid_symmetry(const Vector3& axes)
+{
+  return axes.x() == axes.y() ? Symmetry::around_z
+    : axes.y() == axes.z()    ? Symmetry::around_x
+    : axes.z() == axes.x()    ? Symmetry::around_y
+                              : Symmetry::half_turns;
+}
+
 /// Semi-axes raised to the power `deflation`: 0 is the sphere, 1 the ellipsoid itself.
 ShapeFamily ellipsoid(const std::array<double, 3>& semi_axes)
 {
@@ -50,6 +58,7 @@ ShapeFamily ellipsoid(const std::array<double, 3>& semi_axes)
   ShapeFamily family;
   family.surface = [axes](double power)
   { return scaled_sphere((axes / axes.maxCoeff()).array().pow(power)); };
+  family.symmetry = ellipsoid_symmetry(axes);
   family.standard = 1;
   family.flattest = aspect > 1 ? std::max(1.0, 5 / std::log(aspect)) : 0;
   return family;
@@ -124,7 +133,7 @@ ShapeFamily perturbed(const std::vector<ShapeMode>& modes)
   ShapeFamily family;
   family.surface = [modes](double) -> SphereImage
   { return [modes](const Vector3& d) -> Vector3 { return perturbed_radius(modes, d) * d; }; };
-  family.half_turn_symmetric = modes.empty();
+  family.symmetry = modes.empty() ? Symmetry::around_z : Symmetry::none;
   return family;
 }
 }

@@ -12,6 +12,16 @@ namespace vesicle
 /// (unit vector).
 using SphereImage = std::function<Vector3(const Vector3& direction)>;
 
+/// What maps a surface onto itself.
+enum class Symmetry
+{
+  none,
+  half_turns, ///< about x, y and z
+  around_x,   ///< any turn about x, and the half turns
+  around_y,
+  around_z,
+};
+
 /// Surfaces of one kind, from rounder to more deflated: their reduced volume falls as the parameter
 /// `deflation` rises. Sizes are arbitrary.
 struct ShapeFamily
@@ -21,8 +31,7 @@ struct ShapeFamily
   double roundest = 0; ///< the range of the deflation
   double flattest = 0;
   bool needs_reduced_volume = false;
-  /// Half turns about x, y and z map the surface onto itself.
-  bool half_turn_symmetric = true;
+  Symmetry symmetry = Symmetry::around_z;
 };
 
 /// The family that the request is about. Throws InputError for semi-axes that aren't positive and

@@ -87,13 +87,13 @@ double solve_near(const ShapeFamily& family, const SphereMesh& mesh, double v, d
 }
 
 [[noreturn]] void refuse(
-  const ShapeRequest& request, const ShapeFamily& family, int frequency, double v)
+  const ShapeRequest& request, const ShapeFamily& family, int triangles, double v)
 {
   const SphereImage roundest = family.surface(family.roundest);
   const double largest = discrete_reduced_volume(
-    surface_mesh(roundest, uniform_mesh(roundest, frequency, family.half_turn_symmetric)));
-  const std::string beginning = fmt::format("reduced_volume = {}: the shape '{}' in {} triangles",
-    v, shape_name(request.kind), 20 * frequency * frequency);
+    surface_mesh(roundest, uniform_mesh(roundest, triangles, family.symmetry)));
+  const std::string beginning = fmt::format(
+    "reduced_volume = {}: the shape '{}' in {} triangles", v, shape_name(request.kind), triangles);
   if (v > largest - allowed_error)
   {
     throw InputError(fmt::format("{} has at most {:.6f} (flat triangles enclose less than the "
@@ -107,22 +107,22 @@ double solve_near(const ShapeFamily& family, const SphereMesh& mesh, double v, d
 /// directions fixed, the shape is deflated until the flat triangles have v; the little that they
 /// lose in evenness by that is mended by some more passes.
 TriangleMesh fitted_mesh(
-  const ShapeRequest& request, const ShapeFamily& family, int frequency, double v)
+  const ShapeRequest& request, const ShapeFamily& family, int triangles, double v)
 {
   const int fine = 24; // resolves the shape for a first guess
   double deflation =
-    solve_between(family, geodesic_sphere_mesh(fine, false), v, family.roundest, family.flattest);
-  SphereMesh mesh = uniform_mesh(family.surface(deflation), frequency, family.half_turn_symmetric);
+    solve_between(family, geodesic_sphere_mesh(fine), v, family.roundest, family.flattest);
+  SphereMesh mesh = uniform_mesh(family.surface(deflation), triangles, family.symmetry);
   for (int round = 0; round < 3; ++round)
   {
     deflation = solve_near(family, mesh, v, deflation);
-    improve(mesh, family.surface(deflation), 10);
+    improve(mesh, family.surface(deflation), 20);
   }
   deflation = solve_near(family, mesh, v, deflation);
   TriangleMesh result = surface_mesh(family.surface(deflation), mesh);
   if (!(std::abs(discrete_reduced_volume(result) - v) <= allowed_error))
   {
-    refuse(request, family, frequency, v);
+    refuse(request, family, triangles, v);
   }
   return result;
 }
@@ -153,7 +153,7 @@ int triangles_for_edge(const ShapeRequest& request, const ShapeFamily& family)
 {
   const double h = *request.edge_length;
   const int fine = 24;
-  const SphereMesh sphere = geodesic_sphere_mesh(fine, false);
+  const SphereMesh sphere = geodesic_sphere_mesh(fine);
   const double v =
     request.reduced_volume.value_or(discrete_reduced_volume(family, family.standard, sphere));
   const double area = 4 * std::numbers::pi * std::pow(v, -2.0 / 3);
@@ -167,7 +167,7 @@ int triangles_for_edge(const ShapeRequest& request, const ShapeFamily& family)
   return static_cast<int>(std::lround(triangles));
 }
 
-int frequency_for(const ShapeRequest& request, const ShapeFamily& family)
+int triangles_for(const ShapeRequest& request, const ShapeFamily& family)
 {
   const int triangles =
     request.edge_length ? triangles_for_edge(request, family) : request.triangles;
@@ -176,7 +176,7 @@ int frequency_for(const ShapeRequest& request, const ShapeFamily& family)
     throw InputError(fmt::format("triangles = {}: a start shape has {} to {} triangles", triangles,
       fewest_triangles, most_triangles));
   }
-  return geodesic_frequency(triangles);
+  return triangles;
 }
 
 void check_reduced_volume(const ShapeRequest& request, const ShapeFamily& family)
@@ -203,10 +203,10 @@ void check_reduced_volume(const ShapeRequest& request, const ShapeFamily& family
   }
 }
 
-TriangleMesh free_mesh(const ShapeFamily& family, int frequency)
+TriangleMesh free_mesh(const ShapeFamily& family, int triangles)
 {
   const SphereImage surface = family.surface(family.standard);
-  return surface_mesh(surface, uniform_mesh(surface, frequency, family.half_turn_symmetric));
+  return surface_mesh(surface, uniform_mesh(surface, triangles, family.symmetry));
 }
 
 /// A family of one shape only: the mesh as it is, if that is what was asked for.
@@ -228,19 +228,19 @@ TriangleMesh make_shape(const ShapeRequest& request)
 {
   const ShapeFamily family = shape_family(request);
   check_reduced_volume(request, family);
-  const int frequency = frequency_for(request, family);
+  const int triangles = triangles_for(request, family);
   TriangleMesh mesh;
   if (family.flattest == family.roundest)
   {
-    mesh = checked_sphere(request, free_mesh(family, frequency));
+    mesh = checked_sphere(request, free_mesh(family, triangles));
   }
   else if (request.reduced_volume)
   {
-    mesh = fitted_mesh(request, family, frequency, *request.reduced_volume);
+    mesh = fitted_mesh(request, family, triangles, *request.reduced_volume);
   }
   else
   {
-    mesh = free_mesh(family, frequency);
+    mesh = free_mesh(family, triangles);
   }
   check_quality(request, mesh);
   normalise(mesh);

@@ -33,7 +33,7 @@ struct ShapeRequest
     perturbed  ///< sphere with `modes`
   };
   Kind kind = Kind::sphere;
-  int triangles = 1280;                 ///< the nearest that the mesh family has
+  int triangles = 1280;                 ///< the nearest that there is, uniform_mesh()
   std::optional<double> edge_length;    ///< instead of triangles: mean edge, in units of the radius
   std::optional<double> reduced_volume; ///< of the discrete mesh, to 1e-6
   /// Of an ellipsoid; with reduced_volume raised to a common power until it holds.

@@ -4,7 +4,10 @@
 #include "solver/mesh/PointHash.h"
 #include "solver/mesh/Shapes.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <numbers>
 #include <ranges>
 
 namespace vesicle
@@ -40,29 +43,52 @@ int find_edge(const EdgeUses& edges, int a, int b)
 }
 }
 
-SphereMesh geodesic_sphere_mesh(int n, bool symmetric)
+SphereMesh geodesic_sphere_mesh(int n)
 {
   auto [directions, triangles] = geodesic_sphere(n);
-  SphereMesh mesh{ std::move(directions), std::move(triangles), {} };
-  if (symmetric)
+  return { std::move(directions), std::move(triangles), {} };
+}
+
+std::vector<Turn> dihedral_turns(const SphereMesh& mesh, int fold)
+{
+  const double rounding = 1e-10;
+  const int points = static_cast<int>(mesh.directions.rows());
+  PointHash hash(rounding);
+  for (int i = 0; i < points; ++i)
   {
-    const double rounding = 1e-10;
-    const int points = static_cast<int>(mesh.directions.rows());
-    PointHash hash(rounding);
+    hash.insert(mesh.directions.row(i), i);
+  }
+  std::vector<Turn> turns;
+  for (int k = 1; k < 2 * fold; ++k)
+  {
+    const double angle = 2 * std::numbers::pi * k / fold;
+    Turn turn{ Eigen::AngleAxisd(angle, Vector3::UnitZ()).toRotationMatrix(), {} };
+    if (k >= fold)
+    {
+      turn.rotation *= Vector3(-1, 1, -1).asDiagonal();
+    }
     for (int i = 0; i < points; ++i)
     {
-      hash.insert(mesh.directions.row(i), i);
+      turn.image.push_back(hash.find(turn.rotation * mesh.directions.row(i).transpose()));
     }
-    for (int axis = 0; axis < 3; ++axis)
+    if (std::ranges::find(turn.image, -1) == turn.image.end())
     {
-      std::vector<int>& turned = mesh.half_turns.emplace_back();
-      for (int i = 0; i < points; ++i)
-      {
-        turned.push_back(hash.find(half_turn(mesh.directions.row(i), axis)));
-      }
+      turns.push_back(std::move(turn));
     }
   }
-  return mesh;
+  return turns;
+}
+
+SphereMesh turned_over(const SphereMesh& mesh)
+{
+  const Eigen::Matrix3d over = Eigen::PermutationMatrix<3>(Eigen::Vector3i(1, 2, 0));
+  SphereMesh turned = mesh;
+  turned.directions = mesh.directions * over.transpose();
+  for (Turn& turn : turned.turns)
+  {
+    turn.rotation = over * turn.rotation * over.transpose();
+  }
+  return turned;
 }
 
 SphereMesh cut_in_four(const SphereMesh& mesh)
@@ -88,14 +114,14 @@ SphereMesh cut_in_four(const SphereMesh& mesh)
     }
     cut.triangles.row(4 * t + 3) = middle.row(t);
   }
-  for (std::vector<int> turned : mesh.half_turns)
+  for (Turn turn : mesh.turns)
   {
     for (int e = 0; e < edges.size(); ++e)
     {
       const EdgeUse& use = edges[e].front();
-      turned.push_back(points + find_edge(edges, turned[use.a], turned[use.b]));
+      turn.image.push_back(points + find_edge(edges, turn.image[use.a], turn.image[use.b]));
     }
-    cut.half_turns.push_back(std::move(turned));
+    cut.turns.push_back(std::move(turn));
   }
   return cut;
 }

@@ -77,8 +77,8 @@ void expect_power_balance(const History& run, double tolerance)
 const std::string fast = "accuracy.preset=fast";
 
 // E* is known to be 1.114. The speed was 2.285 (± 0.3%) in an independent computation; this program
-// gives 2.299 with either basis at 1,280 triangles and, with Loop's, 2.296 at 320. Of the rest
-// shape's speed, known exactly, see RestShapeSettles.
+// gives 2.299 with Loop's surface at 320 and at 1,280 triangles. Of the rest shape's speed, known
+// exactly, see RestShapeSettles.
 TEST(Pear, LinearElements)
 {
   const History pear = run("pear", { fast });
@@ -92,11 +92,12 @@ TEST(Pear, LinearElements)
 
 TEST(Pear, LoopSurface)
 {
-  for (int triangles : { 320, 1280 })
+  // The balance is off by 1.2e-3 and 1.6e-4 whatever the steps: order 1.4 in N.
+  for (const auto& [triangles, imbalance] : { std::pair(320, 2e-3), std::pair(1280, 3e-4) })
   {
     const History pear = run("pear", { "vesicle.triangles=" + std::to_string(triangles) });
     expect_constraints_kept(pear);
-    expect_power_balance(pear, 1e-3);
+    expect_power_balance(pear, imbalance);
     const Diagnostics& end = pear.rows.back();
     EXPECT_NEAR(end.velocity[2], 2.285, 0.01 * 2.285) << triangles;
     EXPECT_NEAR(end.energy_over_8pi, 1.114, 0.002 * 1.114) << triangles;
@@ -238,7 +239,7 @@ TEST(RelaxProlate, LinearElements)
 
 TEST(RelaxProlate, LoopSurface)
 {
-  for (const auto& [triangles, tolerance] : { std::pair(320, 4e-3), std::pair(1280, 1e-3) })
+  for (const auto& [triangles, tolerance] : { std::pair(320, 2e-3), std::pair(1280, 4e-4) })
   {
     const History run = vesicle::run(
       "relax-prolate", { "time.end=4", "vesicle.triangles=" + std::to_string(triangles) });
