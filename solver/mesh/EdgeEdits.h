@@ -16,6 +16,9 @@ constexpr int no_limit = std::numeric_limits<int>::max();
 /// many.
 int split_edges(DraftMesh& mesh, const CurvedSurface& surface, double length, int most = no_limit);
 
+/// Cuts each triangle in four, the new vertices on the surface near the middles of the edges.
+void cut_in_four(DraftMesh& mesh, const CurvedSurface& surface);
+
 /// Draws edges shorter than `length`, the shortest first, together to one of their ends, where the
 /// result is a manifold that faces outward without new edges longer than `longest`: edges that
 /// don't disturb each other and `most` at most, so that several calls are needed. Returns how many.

@@ -83,4 +83,20 @@ int split_edges(DraftMesh& mesh, const CurvedSurface& surface, double length, in
   return count;
 }
 
+void cut_in_four(DraftMesh& mesh, const CurvedSurface& surface)
+{
+  const EdgeUses edges(mesh.triangles);
+  const int points = static_cast<int>(mesh.points.rows());
+  mesh.points.conservativeResize(points + edges.size(), Eigen::NoChange);
+  mesh.normals.conservativeResize(points + edges.size(), Eigen::NoChange);
+  for (int e = 0; e < edges.size(); ++e)
+  {
+    const EdgeUse& use = edges[e].front();
+    const SurfacePoint middle = middle_of_edge(mesh, surface, use.a, use.b);
+    mesh.points.row(points + e) = middle.point;
+    mesh.normals.row(points + e) = middle.normal;
+  }
+  mesh.triangles = cut_in_four(mesh.triangles, edges, points);
+}
+
 }

@@ -37,4 +37,7 @@ private:
   std::vector<int> start;
 };
 
+/// Each triangle cut into four, with a new vertex `points` + e on each edge e.
+Triangles cut_in_four(const Triangles& triangles, const EdgeUses& edges, int points);
+
 }

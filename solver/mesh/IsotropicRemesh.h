@@ -1,15 +1,18 @@
 #pragma once
 // Makes any triangulation of a closed surface uniform.
 
-#include "solver/mesh/TriangleMesh.h"
+#include "solver/mesh/Relaxation.h"
+
+#include <optional>
 
 namespace vesicle
 {
 
-/// A mesh of `triangles` (even) triangles of nearly equal size and round shape, with its vertices
-/// on the curved surface through the input's vertices. `input`: closed, outward, of size about 1.
-/// Vertices have 4 to 8 neighbours unless there are far too few triangles for the shape. Throws
-/// InputError where no such number can be reached.
-TriangleMesh isotropic_mesh(const TriangleMesh& input, int triangles);
+/// A mesh of `triangles` (even) triangles of nearly equal size and round shape on the surface of
+/// `relaxation`. Vertices have 4 to 8 neighbours unless there are far too few triangles for the
+/// shape. `start`: the edge length first aimed at, of the one wanted; it decides where the
+/// extraordinary vertices end up. Nothing where no such number can be reached.
+std::optional<DraftMesh> isotropic_mesh(
+  const Relaxation& relaxation, int triangles, double start = 1);
 
 }

@@ -2,6 +2,7 @@
 
 #include "solver/Errors.h"
 #include "solver/mesh/IsotropicRemesh.h"
+#include "solver/mesh/SemiRegularRemesh.h"
 #include "solver/mesh/TriangleTree.h"
 
 #include <fmt/format.h>
@@ -78,6 +79,22 @@ void check_request(int triangles)
   }
 }
 
+TriangleMesh uniform_mesh(const TriangleMesh& input, int triangles)
+{
+  const Relaxation relaxation(input, triangles);
+  std::optional<DraftMesh> mesh = semi_regular_mesh(relaxation, triangles);
+  if (!mesh)
+  {
+    mesh = isotropic_mesh(relaxation, triangles);
+  }
+  if (!mesh)
+  {
+    throw InputError(fmt::format(
+      "the surface can't be meshed with {} triangles: ask for more triangles", triangles));
+  }
+  return { std::move(mesh->points), std::move(mesh->triangles) };
+}
+
 /// `distance`: of the input's points to the new triangles.
 void check_result(const ResampleReport& report, double distance)
 {
@@ -134,7 +151,7 @@ Resampled resample(const TriangleMesh& input, int triangles)
   check_request(triangles);
   const Normalisation normalisation(input);
   const TriangleMesh source = normalisation.normalised(input);
-  const TriangleMesh mesh = isotropic_mesh(source, triangles + triangles % 2);
+  const TriangleMesh mesh = uniform_mesh(source, triangles + triangles % 2);
   Resampled result{ normalisation.restored(mesh), report_on(source, mesh) };
   result.report.quality = mesh_quality(result.mesh);
   return result;

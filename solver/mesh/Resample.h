@@ -30,11 +30,16 @@ struct Resampled
   ResampleReport report;
 };
 
-/// A mesh of `triangles` triangles (one more if that is odd: closed meshes have even numbers) of
-/// nearly equal size, with its vertices on a smooth surface through the input's vertices. The input
-/// must be as prepare_for_dynamics() leaves it; its triangles may be uneven, far more or far fewer.
-/// Area and volume aren't corrected. Throws InputError for fewer than 20 or more than 200,000
-/// triangles, or if there are too few to follow the input's shape.
+/// A mesh of about `triangles` triangles of nearly equal size, with its vertices on a smooth surface
+/// through the input's vertices. Where a coarse mesh resolves the shape it is one, cut in four time
+/// after time: however fine, it has no more extraordinary vertices (valence other than six) than
+/// that one, twelve to thirty on most shapes, and Loop's surface converges. The number may then be
+/// off by 1%; 20, 80, 320, 1280 … are met exactly. A shape with sharper tips or rims is meshed
+/// directly with `triangles` triangles (one more if that is odd: closed meshes have even numbers),
+/// and a fifth of the vertices or so is extraordinary. The input must be as prepare_for_dynamics()
+/// leaves it; its triangles may be uneven, far more or far fewer. Area and volume aren't corrected.
+/// Throws InputError for fewer than 20 or more than 200,000 triangles, or if there are too few to
+/// follow the input's shape.
 Resampled resample(const TriangleMesh& input, int triangles);
 
 }

@@ -15,23 +15,6 @@ namespace vesicle
 
 namespace
 {
-/// The edge number of each triangle's side k (from corner k to k + 1).
-Triangles edge_of_side(const EdgeUses& edges, const Triangles& triangles)
-{
-  Triangles result(triangles.rows(), 3);
-  for (int e = 0; e < edges.size(); ++e)
-  {
-    for (const EdgeUse& use : edges[e])
-    {
-      const int from = use.forward ? use.a : use.b;
-      const auto row = triangles.row(use.triangle);
-      const int side = row[0] == from ? 0 : row[1] == from ? 1 : 2;
-      result(use.triangle, side) = e;
-    }
-  }
-  return result;
-}
-
 int find_edge(const EdgeUses& edges, int a, int b)
 {
   const std::array<int, 2> wanted{ std::min(a, b), std::max(a, b) };
@@ -104,16 +87,7 @@ SphereMesh cut_in_four(const SphereMesh& mesh)
     cut.directions.row(points + e) =
       (mesh.directions.row(use.a) + mesh.directions.row(use.b)).normalized();
   }
-  const Triangles middle = edge_of_side(edges, mesh.triangles).array() + points;
-  cut.triangles.resize(4 * mesh.triangles.rows(), 3);
-  for (int t = 0; t < mesh.triangles.rows(); ++t)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      cut.triangles.row(4 * t + k) << mesh.triangles(t, k), middle(t, k), middle(t, (k + 2) % 3);
-    }
-    cut.triangles.row(4 * t + 3) = middle.row(t);
-  }
+  cut.triangles = cut_in_four(mesh.triangles, edges, points);
   for (Turn turn : mesh.turns)
   {
     for (int e = 0; e < edges.size(); ++e)

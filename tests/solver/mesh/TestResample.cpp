@@ -1,7 +1,9 @@
 #include "TestMeshes.h"
 
 #include "solver/Errors.h"
+#include "solver/dynamics/Discretization.h"
 #include "solver/mesh/Resample.h"
+#include "solver/mesh/SampleMeshes.h"
 #include "solver/mesh/ShapeFamily.h"
 
 #include <gmock/gmock.h>
@@ -137,15 +139,44 @@ void expect_good(const Resampled& resampled, int triangles, double least_angle, 
   EXPECT_LE(report.largest_valence, 8);
 }
 
+std::vector<int> valences(const TriangleMesh& mesh)
+{
+  std::vector<int> result(mesh.points.rows(), 0);
+  for (const int i : mesh.triangles.reshaped())
+  {
+    ++result[i];
+  }
+  return result;
+}
+
 double share_of_valences_5_to_7(const TriangleMesh& mesh)
 {
-  const Connectivity connectivity(mesh.triangles, static_cast<int>(mesh.points.rows()));
-  double count = 0;
-  for (int i = 0; i < mesh.points.rows(); ++i)
+  const std::vector<int> all = valences(mesh);
+  const auto count = std::ranges::count_if(all, [](int n) { return std::abs(n - 6) <= 1; });
+  return static_cast<double>(count) / static_cast<double>(all.size());
+}
+
+int extraordinary_vertices(const TriangleMesh& mesh)
+{
+  const std::vector<int> all = valences(mesh);
+  return static_cast<int>(std::ranges::count_if(all, [](int n) { return n != 6; }));
+}
+
+/// Points drawn along the radii onto the ellipsoid 2, 1, 1.
+TriangleMesh projected(TriangleMesh mesh)
+{
+  for (auto x : mesh.points.rowwise())
   {
-    count += std::abs(connectivity.vertex_neighbours.size(i) - 6) <= 1;
+    x /= std::hypot(x[0] / 2, x[1], x[2]);
   }
-  return count / static_cast<double>(mesh.points.rows());
+  return mesh;
+}
+
+/// Of Loop's limit surface.
+double bending_energy(const TriangleMesh& mesh)
+{
+  const int points = static_cast<int>(mesh.points.rows());
+  return make_loop_discretization(Model(), mesh.triangles, points, 3)->bending_energy(mesh.points);
 }
 
 TriangleMesh read_off_or_ply(const std::string& name)
@@ -201,22 +232,22 @@ struct Case
   double angle_320, ratio_320, angle_1280, ratio_1280;
 };
 
-// Measured: from 43.7° and an edge ratio of 1.53 (sphere) to 25.6° and 2.21 (prolate v = 0.4 in 320
+// Measured: from 54° and an edge ratio of 1.20 (sphere) to 20.6° and 2.54 (prolate v = 0.4 in 320
 // triangles, whose edges are ten times as long as the tips' radius of curvature); in 1280 triangles
-// at least 28.9° and at most 2.33. Other compilers and orders of points give other meshes of the
+// at least 31.7° and at most 2.22. Other compilers and orders of points give other meshes of the
 // kind.
 TEST(Resample, QualityOfAllShapesFromAnyTriangles)
 {
   const std::vector<Case> cases{
-    { "sphere", jittered(16, ellipsoid(1, 1, 1)), 38, 1.8, 38, 1.8 },
-    { "ellipsoid", meridians(40, 80, ellipsoid(2, 1, 1)), 36, 1.9, 35, 2 },
+    { "sphere", jittered(16, ellipsoid(1, 1, 1)), 42, 1.8, 43, 1.8 },
+    { "ellipsoid", meridians(40, 80, ellipsoid(2, 1, 1)), 39, 1.9, 41, 2 },
     { "prolate 0.5", meridians(60, 40, ellipsoid(1, 1, prolate_05)), 25, 2.3, 28, 2.6 },
     { "prolate 0.4", jittered(20, ellipsoid(1, 1, prolate_04)), 15, 3.2, 28, 2.6 },
     { "oblate 0.4", jittered(20, ellipsoid(1, 1, oblate_04)), 27, 2.5, 30, 2.3 },
     { "oblate 0.35", meridians(60, 60, ellipsoid(1, 1, oblate_035)), 25, 2.5, 30, 2.3 },
-    { "discocyte", jittered(20, discocyte()), 32, 2.1, 34, 2 },
-    { "discocyte, needles", meridians(60, 90, discocyte()), 32, 2.2, 34, 2 },
-    { "flat discocyte", jittered(24, discocyte(0.4)), 32, 2.2, 34, 2 },
+    { "discocyte", jittered(20, discocyte()), 37, 2, 40, 2 },
+    { "discocyte, needles", meridians(60, 90, discocyte()), 37, 2, 40, 2 },
+    { "flat discocyte", jittered(24, discocyte(0.4)), 36, 2.1, 38, 2.1 },
     { "cup", meridians(80, 60, cup), 25, 2.5, 30, 2.2 },
   };
   for (const Case& c : cases)
@@ -248,7 +279,7 @@ TEST(Resample, ConvergesToTheExactEllipsoid)
   for (const int triangles : { 320, 1280, 5120 })
   {
     const Resampled resampled = resample(input, triangles);
-    expect_good(resampled, triangles, 35, 2);
+    expect_good(resampled, triangles, 38, 2.2); // measured: 43°, 2.0
     EXPECT_LT(distance_to_ellipsoid(resampled.mesh.points, { 2, 1, 1 }), 1e-5); // measured 3e-6
     area_error.push_back(1 - flat_area(resampled.mesh) / area);
     volume_error.push_back(1 - flat_volume(resampled.mesh) / volume);
@@ -301,14 +332,74 @@ TEST(Resample, MeshesOfOtherPrograms)
   }
 }
 
-TEST(Resample, TakesAnyEvenNumber)
+TEST(Resample, NumbersOfTrianglesToOnePercent)
 {
   const TriangleMesh input = jittered(12, ellipsoid(2, 1.3, 1));
-  for (const int triangles : { 100, 500, 777, 1000 })
+  for (const int triangles : { 80, 320, 1280 })
   {
-    expect_good(resample(input, triangles), triangles + triangles % 2, 33, 2.1);
+    expect_good(resample(input, triangles), triangles, 33, 2.1);
+  }
+  for (const int triangles : { 100, 500, 777, 1000, 1500 })
+  {
+    const Resampled resampled = resample(input, triangles);
+    EXPECT_NEAR(resampled.report.triangles, triangles, 0.01 * triangles);
+    expect_good(resampled, resampled.report.triangles, 33, 2.1);
   }
   EXPECT_EQ(resample(sphere(8), 20).report.triangles, 20);
+}
+
+// Twelve is the least that a closed mesh can have. Measured: 12 and 14.
+TEST(Resample, FewExtraordinaryVerticesHoweverFine)
+{
+  const TriangleMesh rough = delaunay_sphere(jittered_sphere(24, 0.3));
+  for (const SphereImage& image : { ellipsoid(1, 1, 1), ellipsoid(2, 1, 1), discocyte() })
+  {
+    const TriangleMesh input = mapped(rough, image);
+    for (const int triangles : { 320, 1280, 5120 })
+    {
+      EXPECT_LE(extraordinary_vertices(resample(input, triangles).mesh), 20);
+    }
+  }
+}
+
+// A bud that the coarsest meshes would leave out.
+TEST(Resample, LosesNoBud)
+{
+  const auto budded = [](const Vector3& d) -> Vector3
+  { return (1 + 0.6 * std::exp(-40 * (1 - d.z()))) * d; };
+  const TriangleMesh input = jittered(32, budded);
+  for (const int triangles : { 1280, 5120 })
+  {
+    const Resampled resampled = resample(input, triangles);
+    EXPECT_GE(resampled.report.quality.min_angle_deg, 33);
+    EXPECT_LT(resampled.report.max_distance, 0.05);
+  }
+}
+
+// Vertices drawn onto the exact ellipsoid, so that the triangulation alone is judged. Measured:
+// 2.7e-4, 2.3e-5, 5e-6; direct meshing of 1,280 triangles leaves 8e-4. The order in N is 1.6 on
+// regular meshes and 1 in the end, around the twelve vertices with five neighbours.
+TEST(Resample, BendingEnergyConverges)
+{
+  const TriangleMesh input = mapped(delaunay_sphere(jittered_sphere(32, 0.3)), ellipsoid(2, 1, 1));
+  const int n = 4000;
+  double exact = 0;
+  for (int i = 0; i < n; ++i)
+  {
+    const double theta = std::numbers::pi * (i + 0.5) / n;
+    const double w = std::hypot(2 * std::sin(theta), std::cos(theta));
+    exact += std::numbers::pi * std::numbers::pi / n * std::sin(theta) * w *
+      std::pow(2 / (w * w * w) + 2 / w, 2);
+  }
+  std::vector<double> error;
+  for (const int triangles : { 320, 1280, 5120 })
+  {
+    const TriangleMesh mesh = projected(resample(input, triangles).mesh);
+    error.push_back(std::abs(bending_energy(mesh) / exact - 1));
+  }
+  EXPECT_LT(error[0], 6e-4);
+  EXPECT_LT(error[1], 1e-4);
+  EXPECT_LT(error[2], 2e-5);
 }
 
 TEST(Resample, RoundsAnAngularBody)
