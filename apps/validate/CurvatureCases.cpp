@@ -230,13 +230,14 @@ std::vector<Case> curvature_cases()
 {
   // Measured, with a quarter to spare. The surface is hard: at its dent the radius of curvature is
   // two edges of the mesh with 5,120 triangles. On irregular meshes cotan's Laplacian of H does not
-  // converge; Loop's is rough at the extraordinary vertices that resampling leaves.
+  // converge. Resampled triangles are as large in the dent as elsewhere: at 5,120 how the vertices
+  // happen to lie there decides about Loop's.
   const Limits fast[] = { { { 0.05, 0.34 }, { 0.026, 0.3 }, { 0.16, 1.9 } },
     { { 4e-3, 0.11 }, { 1.8e-3, 0.1 }, { 4e-3, 0.2 } },
-    { { 0.012, 0.17 }, { 4e-3, 0.1 }, { 0.023, 0.5 } } };
+    { { 0.012, 0.17 }, { 4e-3, 0.1 }, { 0.017, 1.3 } } };
   const Limits full[] = { { { 0.027, 0.4 }, { 8.5e-3, 0.22 }, { 0.16, 9.5 } },
     { { 2e-4, 7e-3 }, { 1.3e-4, 0.011 }, { 3.3e-4, 0.042 } },
-    { { 9.5e-3, 0.5 }, { 1.9e-3, 0.2 }, { 0.014, 0.6 } } };
+    { { 9.5e-3, 0.5 }, { 1.9e-3, 0.2 }, { 2.1e-3, 0.33 } } };
   std::vector<Case> cases;
   for (const Scheme scheme : schemes)
   {
