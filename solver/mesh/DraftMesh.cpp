@@ -19,6 +19,16 @@ double DraftMesh::steepness(int a, int b) const
   return std::max(std::abs(edge.dot(normal(a))), std::abs(edge.dot(normal(b))));
 }
 
+std::vector<int> DraftMesh::valences() const
+{
+  std::vector<int> result(points.rows(), 0);
+  for (const int i : triangles.reshaped())
+  {
+    ++result[i];
+  }
+  return result;
+}
+
 std::vector<int> DraftMesh::edges_between(double low, double high, const EdgeUses& edges) const
 {
   const double rounding = 1e-10;

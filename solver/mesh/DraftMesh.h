@@ -25,6 +25,9 @@ struct DraftMesh
   /// tangent planes at its ends; half its length over the radius of curvature where that is small.
   double steepness(int a, int b) const;
 
+  /// The number of each vertex' neighbours.
+  std::vector<int> valences() const;
+
   /// The edges (numbered as in `edges`) longer than `low` and shorter than `high`, the shortest
   /// first. Lengths that agree but for rounding count as equal and the numbering decides, so that a
   /// turned mesh is treated alike.

@@ -5,6 +5,7 @@
 #include "solver/mesh/DraftMesh.h"
 
 #include <limits>
+#include <random>
 
 namespace vesicle
 {
@@ -34,5 +35,9 @@ enum class FlipGoal
 /// Flips edges until none wants to (or would go on for ever). Vertices keep or come to 4 to 8
 /// neighbours; around tips and rims sharper than the mesh edges follow the surface.
 void flip_edges(DraftMesh& mesh, FlipGoal goal);
+
+/// Flips some of the edges that are neither wanted nor in the way, so that the sum of
+/// (valence − 6)² stays: pairs of vertices with five and seven neighbours wander.
+void glide_edges(DraftMesh& mesh, std::mt19937& random);
 
 }

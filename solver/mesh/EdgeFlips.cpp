@@ -15,6 +15,8 @@ constexpr int least_valence = 4;
 constexpr int largest_valence = 8;
 /// Edges steeper than this go around a tip or rim that the mesh doesn't resolve.
 constexpr double steep = 0.5;
+/// Edges that flip for the valences' sake face more: the flipped edge may face 1.4 π, not more.
+constexpr double obtuse = 0.6 * std::numbers::pi;
 
 double angle(const Vector3& at, const Vector3& left, const Vector3& right)
 {
@@ -31,6 +33,7 @@ public:
   {
   }
   bool round(FlipGoal goal);
+  void glide(std::mt19937& random);
   void apply() { mesh.triangles = half_edges.triangles(); }
 
 private:
@@ -74,15 +77,13 @@ bool Flips::wants(int h, FlipGoal goal) const
 {
   const double margin = 1e-6; // rounding shan't decide in symmetric quadrilaterals
   const int worst_gain = -8;  // a flip among vertices with six neighbours each has −4
-  const double pi = std::numbers::pi;
   const double steeper = steepness_gain(h);
   const int gain = valence_gain(h);
   if (goal == FlipGoal::valences)
   {
-    const double obtuse = 0.6 * pi; // the flipped edge may face angles of 1.4 π, not of more
     return gain > 0 && steeper >= 0 && facing_angles(h) > obtuse;
   }
-  return facing_angles(h) + steeper > pi + margin && gain > worst_gain;
+  return facing_angles(h) + steeper > std::numbers::pi + margin && gain > worst_gain;
 }
 
 bool Flips::may(int h) const
@@ -92,6 +93,20 @@ bool Flips::may(int h) const
   return half_edges.valence(a) > least_valence && half_edges.valence(b) > least_valence &&
     half_edges.valence(c) < largest_valence && half_edges.valence(d) < largest_valence &&
     half_edges.find(c, d) < 0 && mesh.faces_outward(a, d, c) && mesh.faces_outward(d, b, c);
+}
+
+void Flips::glide(std::mt19937& random)
+{
+  const int one_in = 4; // too many at once don't get far
+  const double allowed_steepening = 0.05;
+  for (int h = 0; h < half_edges.half_edges(); ++h)
+  {
+    if (half_edges.twin(h) > h && valence_gain(h) == 0 && facing_angles(h) > obtuse &&
+      steepness_gain(h) >= -allowed_steepening && may(h) && random() % one_in == 0)
+    {
+      half_edges.flip(h);
+    }
+  }
 }
 
 bool Flips::round(FlipGoal goal)
@@ -116,6 +131,13 @@ void flip_edges(DraftMesh& mesh, FlipGoal goal)
   for (int round = 0; round < rounds && flips.round(goal); ++round)
   {
   }
+  flips.apply();
+}
+
+void glide_edges(DraftMesh& mesh, std::mt19937& random)
+{
+  Flips flips(mesh);
+  flips.glide(random);
   flips.apply();
 }
 

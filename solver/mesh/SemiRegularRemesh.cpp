@@ -17,7 +17,7 @@ constexpr int fewest_triangles = 20; // the icosahedron
 /// A closed mesh of genus 0 has at least twelve vertices with five neighbours if none has fewer.
 constexpr int fewest_extraordinary = 12;
 constexpr double allowed_deviation = 0.01; // of the number of triangles
-/// Which vertices of a coarse mesh get five or seven neighbours is chance: several are made.
+/// How many vertices of a coarse mesh get five or seven neighbours is chance: several are made.
 constexpr double starts[] = { 1, 1.2, 0.8 };
 constexpr int passes = 20; // after each cut
 /// Triangles of a coarse mesh that doesn't resolve a tip or rim come out flatter, of all shapes
@@ -27,11 +27,7 @@ constexpr double least_angle = 38; // degrees
 /// The vertices with five or seven neighbours; nothing if there are any with fewer or more.
 std::optional<int> extraordinary(const DraftMesh& mesh)
 {
-  std::vector<int> valences(mesh.points.rows(), 0);
-  for (const int i : mesh.triangles.reshaped())
-  {
-    ++valences[i];
-  }
+  const std::vector<int> valences = mesh.valences();
   const auto off = [&](int by)
   { return std::ranges::count_if(valences, [by](int n) { return std::abs(n - 6) >= by; }); };
   return off(2) > 0 ? std::nullopt : std::optional(static_cast<int>(off(1)));
@@ -66,11 +62,7 @@ std::optional<DraftMesh> best_mesh(const Relaxation& relaxation, int coarse, int
   int fewest = std::numeric_limits<int>::max();
   for (const double start : starts)
   {
-    if (fewest == fewest_extraordinary)
-    {
-      break;
-    }
-    std::optional<DraftMesh> mesh = isotropic_mesh(relaxation, coarse, start);
+    std::optional<DraftMesh> mesh = ordered_mesh(relaxation, coarse, start);
     const std::optional<int> count = mesh ? extraordinary(*mesh) : std::nullopt;
     if (count && *count < fewest)
     {
@@ -80,6 +72,11 @@ std::optional<DraftMesh> best_mesh(const Relaxation& relaxation, int coarse, int
         best = std::move(mesh);
         fewest = *count;
       }
+    }
+    const bool hopeless = !best && cuts > 0;
+    if (hopeless || fewest == fewest_extraordinary)
+    {
+      break;
     }
   }
   return best;
@@ -93,7 +90,7 @@ std::optional<DraftMesh> semi_regular_mesh(const Relaxation& relaxation, int tri
   {
     ++most_cuts;
   }
-  for (int cuts = most_cuts; cuts > 0; --cuts)
+  for (int cuts = most_cuts; cuts >= 0; --cuts)
   {
     if (const int coarse = coarse_count(triangles, cuts))
     {
