@@ -73,7 +73,7 @@ std::optional<DraftMesh> best_mesh(const Relaxation& relaxation, int coarse, int
         fewest = *count;
       }
     }
-    const bool hopeless = !best && cuts > 0;
+    const bool hopeless = !best && cuts > 0; // a finer one is more likely to do
     if (hopeless || fewest == fewest_extraordinary)
     {
       break;
