@@ -1,5 +1,7 @@
 #include "solver/mesh/DraftMesh.h"
 
+#include "solver/mesh/MeshQuality.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -17,6 +19,11 @@ double DraftMesh::steepness(int a, int b) const
 {
   const Vector3 edge = (point(b) - point(a)).normalized();
   return std::max(std::abs(edge.dot(normal(a))), std::abs(edge.dot(normal(b))));
+}
+
+double DraftMesh::least_angle() const
+{
+  return mesh_quality({ points, triangles }).min_angle_deg;
 }
 
 std::vector<int> DraftMesh::valences() const

@@ -25,6 +25,8 @@ struct DraftMesh
   /// tangent planes at its ends; half its length over the radius of curvature where that is small.
   double steepness(int a, int b) const;
 
+  double least_angle() const; ///< degrees
+
   /// The number of each vertex' neighbours.
   std::vector<int> valences() const;
 

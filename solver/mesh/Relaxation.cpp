@@ -99,10 +99,10 @@ double mean_edge(double area, int triangles)
 
 Relaxation::Relaxation(const TriangleMesh& input, int triangles)
   : surface_(input, mean_edge(flat_area(input), triangles) / pieces_per_edge),
-    samples(surface_.samples()), input_{ input.points, surface_.vertex_normals(), input.triangles,
+    samples_(surface_.samples()), input_{ input.points, surface_.vertex_normals(), input.triangles,
       {} }
 {
-  for (const CurvedSurface::Sample& sample : samples)
+  for (const CurvedSurface::Sample& sample : samples_)
   {
     input_.references.push_back(sample.vertex);
     area_ += sample.area;
@@ -127,12 +127,12 @@ void Relaxation::find_owners(DraftMesh& draft) const
     }
     return nearest;
   };
-  tbb::parallel_for(std::size_t(0), samples.size(),
+  tbb::parallel_for(std::size_t(0), samples_.size(),
     [&](std::size_t s)
     {
       int& owner = draft.references[s];
-      for (int next = step(samples[s].point, owner); next != owner;
-           next = step(samples[s].point, owner))
+      for (int next = step(samples_[s].point, owner); next != owner;
+           next = step(samples_[s].point, owner))
       {
         owner = next;
       }
@@ -142,7 +142,7 @@ void Relaxation::find_owners(DraftMesh& draft) const
 void Relaxation::relax(DraftMesh& draft) const
 {
   find_owners(draft);
-  const Means cell = cells(samples, draft), star = stars(draft);
+  const Means cell = cells(samples_, draft), star = stars(draft);
   const Eigen::VectorXd steepness = steepest(draft);
   Points targets(vertices(draft), 3), directions(vertices(draft), 3);
   for (int i = 0; i < vertices(draft); ++i)

@@ -22,6 +22,7 @@ public:
   Relaxation(const TriangleMesh& input, int triangles);
 
   const CurvedSurface& surface() const { return surface_; }
+  const std::vector<CurvedSurface::Sample>& samples() const { return samples_; }
   double area() const { return area_; }
   /// The input itself. The references of a draft are for each of the surface's samples the nearest
   /// vertex.
@@ -36,7 +37,7 @@ private:
     DraftMesh& draft, const Points& targets, const Points& directions) const;
 
   CurvedSurface surface_;
-  std::vector<CurvedSurface::Sample> samples;
+  std::vector<CurvedSurface::Sample> samples_;
   double area_ = 0;
   DraftMesh input_;
 };

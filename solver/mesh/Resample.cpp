@@ -1,6 +1,7 @@
 #include "solver/mesh/Resample.h"
 
 #include "solver/Errors.h"
+#include "solver/mesh/CarriedMesh.h"
 #include "solver/mesh/IsotropicRemesh.h"
 #include "solver/mesh/SemiRegularRemesh.h"
 #include "solver/mesh/TriangleTree.h"
@@ -82,7 +83,11 @@ void check_request(int triangles)
 TriangleMesh uniform_mesh(const TriangleMesh& input, int triangles)
 {
   const Relaxation relaxation(input, triangles);
-  std::optional<DraftMesh> mesh = semi_regular_mesh(relaxation, triangles);
+  std::optional<DraftMesh> mesh = carried_mesh(relaxation, triangles);
+  if (!mesh)
+  {
+    mesh = semi_regular_mesh(relaxation, triangles);
+  }
   if (!mesh)
   {
     mesh = isotropic_mesh(relaxation, triangles);

@@ -2,7 +2,6 @@
 
 #include "solver/mesh/EdgeEdits.h"
 #include "solver/mesh/IsotropicRemesh.h"
-#include "solver/mesh/MeshQuality.h"
 
 #include <algorithm>
 #include <cmath>
@@ -67,7 +66,7 @@ std::optional<DraftMesh> best_mesh(const Relaxation& relaxation, int coarse, int
     if (count && *count < fewest)
     {
       cut_and_smooth(*mesh, relaxation, cuts);
-      if (mesh_quality({ mesh->points, mesh->triangles }).min_angle_deg >= least_angle)
+      if (mesh->least_angle() >= least_angle)
       {
         best = std::move(mesh);
         fewest = *count;
