@@ -52,7 +52,7 @@ Scene relaxation_scene(const Shape& shape, int triangles)
   scene.vesicle.shape.triangles = triangles;
   scene.membrane.bending_rigidity = 1;
   if (shape.branch == "stomatocyte")
-    scene.time.end = 4; // its neck goes on closing
+    scene.time.end = shape.v < 0.55 ? 4 : 12; // its mouth goes on closing, slowly
   return scene;
 }
 
@@ -113,6 +113,14 @@ double distance(const Profile& profile, const Eigen::Vector2d& x)
   return least;
 }
 
+/// The other way up.
+Profile mirrored(Profile profile)
+{
+  for (double& z : profile.z)
+    z *= -1;
+  return profile;
+}
+
 /// The vertices as points of the half plane about the axis z.
 Profile computed_profile(const History& run)
 {
@@ -167,7 +175,10 @@ void equilibrium(Report& report, const Equilibrium& e)
   report.add(at_most("rise of E in a step", 1e-6, largest_energy_rise(run)));
   if (e.profile)
   {
-    const Profile reference = reference_profile(e.profile), computed = computed_profile(run);
+    Profile reference = reference_profile(e.profile);
+    const Profile computed = computed_profile(run);
+    if (largest_distance(computed, mirrored(reference)) < largest_distance(computed, reference))
+      reference = mirrored(reference);
     report.add(at_most(
       "distance to the profile", tolerance(e.distance), largest_distance(computed, reference)));
     report.chart(fmt::format("fig7-{}", e.profile),
@@ -249,9 +260,9 @@ constexpr auto fast = Case::Set::fast, full = Case::Set::full;
 std::vector<Case> equilibrium_cases()
 {
   // 0.1% is asked for at 1,280 triangles.
-  static const char* const neck = "its neck, of radius 0.097, is narrower than an edge of 1,280 "
-                                  "triangles (0.19), and still closing";
-  static const char* const mouth = "its mouth still moves at the end (t = 4)";
+  static const char* const neck = "its mouth, of radius 0.097 in the end, is narrower than an edge "
+                                  "of 1,280 triangles (0.19), and still closing (t = 4)";
+  static const char* const mouth = "its mouth still moves at the end (t = 12)";
   static const std::vector<Equilibrium> equilibria{
     { { "prolate", 0.65 }, full, { 2e-3, 1e-3 } },
     { { "prolate", 0.7 }, full, { 2e-3, 1e-3 } },
@@ -261,7 +272,7 @@ std::vector<Case> equilibrium_cases()
     { { "oblate", 0.6 }, fast, { 1e-2, 1e-3 }, "", "oblate_v060", { 2e-2, 1e-3 } },
     { { "oblate", 0.65 }, full, { 5e-3, 1e-3 }, "", "oblate_v065", { 2e-2, 1e-3 } },
     { { "stomatocyte", 0.5 }, full, { 3e-2, 3e-2 }, neck, "stomatocyte_v050", { 0.2, 0.2 } },
-    { { "stomatocyte", 0.6 }, full, { 3e-2, 2e-2 }, mouth },
+    { { "stomatocyte", 0.6 }, full, { 3e-2, 5e-3 }, mouth },
   };
   std::vector<Case> cases;
   for (const Equilibrium& e : equilibria)
