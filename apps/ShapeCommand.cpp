@@ -61,7 +61,7 @@ void add_shape_command(CLI::App& app, Action& action)
     "6 sqrt(pi) V / A^(3/2) of the mesh, 1 for a sphere");
   command
     ->add_option("--triangles", options->request.triangles,
-      "The nearest number that the mesh family has (20 n^2) is made")
+      "Met exactly if a multiple of 10 or 12 (above 2,000 of 40 or 48), else the nearest")
     ->capture_default_str();
   command->add_option(
     "--semi-axes", options->request.semi_axes, "a b c of an ellipsoid; their ratios matter");

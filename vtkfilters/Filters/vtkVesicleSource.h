@@ -2,11 +2,11 @@
  * @class   vtkVesicleSource
  * @brief   closed triangle meshes of vesicles: spheres, ellipsoids, the red cell's disc
  *
- * vtkVesicleSource makes the start shapes of a simulation. The mesh family is the geodesic sphere
- * (the icosahedron's faces cut in n² triangles, 20 n² in all) relaxed on the shape that is asked
- * for. Sizes refer to the discrete mesh: its volume is that of a sphere of radius Radius, and its
- * reduced volume v = 6 √π V / A^(3/2) is ReducedVolume to 1e-6. Triangles are counter-clockwise
- * seen from outside; points are in double precision.
+ * vtkVesicleSource makes the start shapes of a simulation. Twelve vertices have five neighbours and
+ * all others six: meshes are capped tubes of the hexagonal lattice, or geodesic spheres, relaxed on
+ * the shape that is asked for. Sizes refer to the discrete mesh: its volume is that of a sphere of
+ * radius Radius, and its reduced volume v = 6 √π V / A^(3/2) is ReducedVolume to 1e-6. Triangles are
+ * counter-clockwise seen from outside; points are in double precision.
  *
  * Shapes: Sphere; Prolate and Oblate, ellipsoids of revolution about the axis; Ellipsoid with
  * SemiAxes; Discocyte, the biconcave disc of Evans & Fung, Microvasc. Res. 4 (1972) 335; Perturbed,
@@ -65,8 +65,9 @@ public:
 
   ///@{
   /**
-   * Number of triangles; the nearest that the mesh family has (20 n²) is made. At least 20.
-   * Default: 1280.
+   * Number of triangles, at least 20. Multiples of 10 and 12 are met exactly up to 2,000, those of
+   * four times as much up to 8,000 and so on (ellipsoids with three different axes: multiples of 12
+   * and 20 n²); otherwise the nearest is made. Default: 1280.
    */
   vtkSetClampMacro(Triangles, int, 20, VTK_INT_MAX);
   vtkGetMacro(Triangles, int);
