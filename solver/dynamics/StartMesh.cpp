@@ -80,8 +80,8 @@ TriangleMesh make_start_mesh(const Scene& scene)
 }
 
 // How far the energies of the limit surface by a rule of 3 and one of 12 points differ, relatively.
-// On a smooth control mesh by far less than 1%; kinks in the spacing of its points make the surface
-// rough.
+// On a smooth control mesh that resolves the shape by far less than 1%; kinks in the spacing of its
+// points make the surface rough.
 static double energy_disagreement(const TriangleMesh& mesh)
 {
   const LoopBasis basis(mesh.triangles, static_cast<int>(mesh.points.rows()));
@@ -105,8 +105,9 @@ std::string check_smoothness(const Scene& scene, const TriangleMesh& mesh)
   if (disagreement < rough_energy)
     return {};
   return fmt::format(
-    "The mesh is rough: the bending energy of its Loop surface is known to {:.0f}% only. Have it "
-    "resampled (vesicle.triangles with vesicle.file), or take accuracy.preset = \"fast\".",
+    "The mesh is rough, or too coarse for its tips and rims: the bending energy of its Loop "
+    "surface is known to {:.0f}% only. Take more triangles (vesicle.triangles; with vesicle.file "
+    "it is resampled then), or accuracy.preset = \"fast\".",
     100 * disagreement);
 }
 
