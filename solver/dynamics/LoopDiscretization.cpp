@@ -26,8 +26,8 @@ constexpr int geometry_grading = 3;
 constexpr int geometry_points = 6;
 // Of the bending energy, its gradient and its Hessian. Around extraordinary vertices the surface
 // can't follow the curvature and ripples; three points a triangle feel less of that than an exact
-// integral. Relaxed prolates of 1,280 triangles have an energy 0.03, 0.09 and 0.10% too high at
-// v = 0.8, 0.7 and 0.65, against 0.06, 0.17 and 0.17% with six points and graded elements.
+// integral. Relaxed prolates of 1,280 triangles have an energy 0.004, 0.001 and 0.002% too high at
+// v = 0.8, 0.7 and 0.65, against 0.017, 0.015 and 0.008% with six points and graded elements.
 constexpr int bending_points = 3;
 
 // Bounds of the eigenvalues of P: 1/4 to 1 for valence six, a little lower for small valences.
