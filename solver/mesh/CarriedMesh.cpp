@@ -12,15 +12,14 @@ namespace vesicle
 
 namespace
 {
-constexpr double allowed_deviation = 0.01; // of the number of triangles
-constexpr int passes = 60;                 // the ellipsoid's spacing is a guess only
-constexpr double least_angle = 36;         // degrees; flatter ones don't resolve a tip or rim
+constexpr int passes = 60;         // the ellipsoid's spacing is a guess only
+constexpr double least_angle = 36; // degrees; flatter ones don't resolve a tip or rim
 /// Of the area, times the number of triangles: five are what flat triangles lose on a sphere.
 constexpr double allowed_loss = 30;
 
-/// The images of the unit vectors are the semi-axes of an ellipsoid: the surface's second moments
-/// are its own. They point where the third moments are positive, so that a turned surface's are
-/// turned.
+/// The images of the unit vectors are the semi-axes of an ellipsoid with the surface's principal
+/// axes and its extents along them. They point where the third moments are positive, so that a
+/// turned surface's are turned.
 Eigen::Matrix3d principal_axes(const DraftMesh& surface)
 {
   const Triangles& triangles = surface.triangles;

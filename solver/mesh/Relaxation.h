@@ -7,6 +7,9 @@
 namespace vesicle
 {
 
+/// Of the number of triangles asked for, relatively, where a better mesh has another one.
+constexpr double allowed_deviation = 0.01;
+
 /// The side of `triangles` equilateral triangles of area `area` in all.
 double mean_edge(double area, int triangles);
 

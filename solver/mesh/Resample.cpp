@@ -80,7 +80,7 @@ void check_request(int triangles)
   }
 }
 
-TriangleMesh uniform_mesh(const TriangleMesh& input, int triangles)
+TriangleMesh new_mesh(const TriangleMesh& input, int triangles)
 {
   const Relaxation relaxation(input, triangles);
   std::optional<DraftMesh> mesh = carried_mesh(relaxation, triangles);
@@ -156,7 +156,7 @@ Resampled resample(const TriangleMesh& input, int triangles)
   check_request(triangles);
   const Normalisation normalisation(input);
   const TriangleMesh source = normalisation.normalised(input);
-  const TriangleMesh mesh = uniform_mesh(source, triangles + triangles % 2);
+  const TriangleMesh mesh = new_mesh(source, triangles + triangles % 2);
   Resampled result{ normalisation.restored(mesh), report_on(source, mesh) };
   result.report.quality = mesh_quality(result.mesh);
   return result;

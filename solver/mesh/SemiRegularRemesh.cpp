@@ -15,7 +15,6 @@ namespace
 constexpr int fewest_triangles = 20; // the icosahedron
 /// A closed mesh of genus 0 has at least twelve vertices with five neighbours if none has fewer.
 constexpr int fewest_extraordinary = 12;
-constexpr double allowed_deviation = 0.01; // of the number of triangles
 /// How many vertices of a coarse mesh get five or seven neighbours is chance: several are made.
 constexpr double starts[] = { 1, 1.2, 0.8 };
 constexpr int passes = 20; // after each cut
