@@ -155,19 +155,8 @@ void IsotropicRemesh::polish()
 }
 }
 
-std::optional<DraftMesh> isotropic_mesh(const Relaxation& relaxation, int triangles)
-{
-  IsotropicRemesh remesh(relaxation, triangles);
-  remesh.even_out(1);
-  if (!remesh.reach_count())
-  {
-    return std::nullopt;
-  }
-  remesh.polish();
-  return std::move(remesh).result();
-}
-
-std::optional<DraftMesh> ordered_mesh(const Relaxation& relaxation, int triangles, double start)
+std::optional<DraftMesh> isotropic_mesh(
+  const Relaxation& relaxation, int triangles, MeshGoal goal, double start)
 {
   IsotropicRemesh remesh(relaxation, triangles);
   remesh.even_out(start);
@@ -175,7 +164,10 @@ std::optional<DraftMesh> ordered_mesh(const Relaxation& relaxation, int triangle
   {
     return std::nullopt;
   }
-  remesh.annihilate();
+  if (goal == MeshGoal::order)
+  {
+    remesh.annihilate();
+  }
   remesh.polish();
   return std::move(remesh).result();
 }

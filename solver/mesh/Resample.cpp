@@ -90,7 +90,7 @@ TriangleMesh new_mesh(const TriangleMesh& input, int triangles)
   }
   if (!mesh)
   {
-    mesh = isotropic_mesh(relaxation, triangles);
+    mesh = isotropic_mesh(relaxation, triangles, MeshGoal::shape);
   }
   if (!mesh)
   {

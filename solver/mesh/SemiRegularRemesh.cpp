@@ -60,7 +60,7 @@ std::optional<DraftMesh> best_mesh(const Relaxation& relaxation, int coarse, int
   int fewest = std::numeric_limits<int>::max();
   for (const double start : starts)
   {
-    std::optional<DraftMesh> mesh = ordered_mesh(relaxation, coarse, start);
+    std::optional<DraftMesh> mesh = isotropic_mesh(relaxation, coarse, MeshGoal::order, start);
     const std::optional<int> count = mesh ? extraordinary(*mesh) : std::nullopt;
     if (count && *count < fewest)
     {
