@@ -3,7 +3,7 @@
 #include "apps/Commands.h"
 #include "apps/MeshReport.h"
 
-#include "solver/mesh/Shapes.h"
+#include "solver/mesh/shapes/Shapes.h"
 #include "vtkfilters/Filters/MeshConversion.h"
 #include "vtkfilters/Filters/MeshFiles.h"
 

@@ -7,10 +7,10 @@
 #include "solver/geometry/Cotan.h"
 #include "solver/geometry/FittedCurvature.h"
 #include "solver/membrane/Bending.h"
-#include "solver/mesh/Resample.h"
-#include "solver/mesh/Shapes.h"
+#include "solver/mesh/remesh/Resample.h"
+#include "solver/mesh/shapes/Shapes.h"
 #include "solver/membrane/ExactCurvature.h"
-#include "solver/mesh/SampleMeshes.h"
+#include "solver/mesh/shapes/SampleMeshes.h"
 #include "solver/state/Table.h"
 
 #include <fmt/format.h>

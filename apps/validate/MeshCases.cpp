@@ -4,9 +4,9 @@
 #include "apps/validate/History.h"
 
 #include "solver/dynamics/Discretization.h"
-#include "solver/mesh/Resample.h"
-#include "solver/mesh/Shapes.h"
-#include "solver/mesh/SampleMeshes.h"
+#include "solver/mesh/remesh/Resample.h"
+#include "solver/mesh/shapes/Shapes.h"
+#include "solver/mesh/shapes/SampleMeshes.h"
 
 #include <fmt/format.h>
 

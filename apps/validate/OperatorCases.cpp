@@ -3,9 +3,9 @@
 #include "apps/validate/Cases.h"
 
 #include "solver/geometry/LoopBasis.h"
-#include "solver/mesh/Shapes.h"
+#include "solver/mesh/shapes/Shapes.h"
 #include "solver/stokes/LayerModes.h"
-#include "solver/mesh/SampleMeshes.h"
+#include "solver/mesh/shapes/SampleMeshes.h"
 #include "solver/stokes/SingleLayer.h"
 
 #include <Eigen/LU>

@@ -3,7 +3,7 @@
 #include "apps/validate/Cases.h"
 #include "apps/validate/History.h"
 
-#include "solver/mesh/Shapes.h"
+#include "solver/mesh/shapes/Shapes.h"
 
 #include <Eigen/QR>
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 #include "apps/validate/Stomatocyte.h"
 
 #include "solver/dynamics/Simulation.h"
-#include "solver/mesh/Remesh.h"
+#include "solver/mesh/shapes/Remesh.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // What is reported of each accepted step: one row of the CSV and of the HDF5 series, in the units
 // of the scene.
 
-#include "solver/mesh/SphericalHarmonics.h"
+#include "solver/mesh/shapes/SphericalHarmonics.h"
 
 #include <array>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "solver/dynamics/Observables.h"
 
-#include "solver/mesh/SphericalHarmonics.h"
+#include "solver/mesh/shapes/SphericalHarmonics.h"
 
 #include <Eigen/Eigenvalues>
 

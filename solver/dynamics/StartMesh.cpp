@@ -3,7 +3,7 @@
 #include "solver/dynamics/Discretization.h"
 #include "solver/geometry/LoopBasis.h"
 #include "solver/membrane/SurfaceBending.h"
-#include "solver/mesh/Resample.h"
+#include "solver/mesh/remesh/Resample.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // What to model. Plain data in the units of the scene (dimensionless or SI alike); see
 // data/scenes/ for examples and SceneFile.h for the TOML format.
 
-#include "solver/mesh/Shapes.h"
+#include "solver/mesh/shapes/Shapes.h"
 
 #include <array>
 #include <filesystem>

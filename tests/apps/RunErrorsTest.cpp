@@ -4,7 +4,7 @@
 #include "vtkfilters/Filters/MeshFiles.h"
 #include "vtkfilters/Filters/SeriesFile.h"
 
-#include "solver/mesh/Shapes.h"
+#include "solver/mesh/shapes/Shapes.h"
 
 #include "vtkPolyData.h"
 

@@ -3,7 +3,7 @@
 #include "TestSurfaces.h"
 
 #include "render/SmoothSurface.h"
-#include "solver/mesh/Shapes.h"
+#include "solver/mesh/shapes/Shapes.h"
 #include "vtkfilters/Filters/MeshConversion.h"
 
 #include "vtkFeatureEdges.h"

@@ -6,7 +6,7 @@
 #include "vtkfilters/Filters/TextMeshes.h"
 
 #include "solver/Errors.h"
-#include "solver/mesh/Shapes.h"
+#include "solver/mesh/shapes/Shapes.h"
 #include "tests/solver/support/FullDisk.h"
 
 #include "vtkPolyData.h"

@@ -4,7 +4,7 @@
 
 #include "solver/Errors.h"
 #include "solver/dynamics/Simulation.h"
-#include "solver/mesh/Shapes.h"
+#include "solver/mesh/shapes/Shapes.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

@@ -1,8 +1,8 @@
 #pragma once
 // Meshes for tests: regular and irregular, spherical and not.
 
-#include "solver/mesh/Shapes.h"
-#include "solver/mesh/SampleMeshes.h"
+#include "solver/mesh/shapes/Shapes.h"
+#include "solver/mesh/shapes/SampleMeshes.h"
 
 #include <map>
 #include <string>

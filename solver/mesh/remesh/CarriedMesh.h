@@ -1,0 +1,17 @@
+#pragma once
+// Meshes with twelve vertices of valence five and all others of valence six on star-shaped bodies.
+
+#include "solver/mesh/remesh/Relaxation.h"
+
+#include <optional>
+
+namespace vesicle
+{
+
+/// The uniform_mesh() of an ellipsoid with the body's principal axes, carried to its surface along
+/// the rays from the origin and smoothed there: `triangles` triangles to 1%. Nothing where rays
+/// cross the surface more than once, or the mesh doesn't resolve it. The origin is the body's
+/// centroid.
+std::optional<DraftMesh> carried_mesh(const Relaxation& relaxation, int triangles);
+
+}
