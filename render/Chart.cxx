@@ -47,6 +47,8 @@ bool drawable(const ChartSpec& chart, double x, double y)
   return std::isfinite(x) && std::isfinite(y) && (!chart.log_x || x > 0) && (!chart.log_y || y > 0);
 }
 
+/// The points that can be drawn. Its columns have names of their own, since a table holds one
+/// column of a name and a label may be anything.
 vtkSmartPointer<vtkTable> table_of(const ChartSpec& chart, const ChartLine& line)
 {
   if (line.x.size() != line.y.size())
@@ -56,8 +58,8 @@ vtkSmartPointer<vtkTable> table_of(const ChartSpec& chart, const ChartLine& line
   }
   vtkNew<vtkDoubleArray> x;
   vtkNew<vtkDoubleArray> y;
-  x->SetName("x");
-  y->SetName(line.label.empty() ? "y" : line.label.c_str());
+  x->SetName("abscissa");
+  y->SetName("ordinate");
   for (std::size_t i = 0; i < line.x.size(); ++i)
   {
     if (drawable(chart, line.x[i], line.y[i]))
@@ -78,6 +80,7 @@ void add_line(vtkChartXY* chart, vtkTable* table, const ChartLine& line,
   const bool points = line.style == ChartLine::Style::points;
   vtkPlot* plot = chart->AddPlot(points ? vtkChart::POINTS : vtkChart::LINE);
   plot->SetInputData(table, 0, 1);
+  plot->SetLabel(line.label);
   plot->SetColor(color[0], color[1], color[2], 255);
   plot->SetWidth(static_cast<float>((points ? 6 : 3) * scale));
   if (auto* markers = vtkPlotPoints::SafeDownCast(plot))

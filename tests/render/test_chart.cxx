@@ -61,6 +61,36 @@ TEST(Chart, LeavesOutWhatIsNotFinite)
   EXPECT_EQ(difference(before, drawn(chart)), 0);
 }
 
+TEST(Chart, DrawsALineWhateverItsLabel)
+{
+  for (const char* label : { "x", "y", "abscissa", "ordinate", "t", "", " ", "100 % \xc3\xa9",
+         "a label\nof two lines", "x,y;\"z\"" })
+  {
+    SCOPED_TRACE(label);
+    ChartSpec chart = parabola();
+    chart.lines[0].label = label;
+    const auto colors = colors_of(drawn(chart));
+    EXPECT_TRUE(colors.contains({ 0, 114, 178 }));
+    EXPECT_TRUE(colors.contains({ 213, 94, 0 }));
+  }
+}
+
+TEST(Chart, ShowsEachLinesLabelInTheLegend)
+{
+  ChartSpec chart = parabola();
+  chart.lines[0].label = chart.lines[1].label = "same"; // stands there twice
+  const auto twice = drawn(chart);
+  chart.lines[1].label.clear();
+  const auto once = drawn(chart);
+  chart.lines[0].label = std::string("x");
+  const auto other = drawn(chart);
+  chart.lines[0].label.clear();
+  const auto none = drawn(chart);
+  EXPECT_GT(difference(twice, once), 0);
+  EXPECT_GT(difference(once, other), 0);
+  EXPECT_GT(difference(other, none), 0.01); // the legend's room goes to the axes
+}
+
 TEST(Chart, LogarithmicAxesChangeThePicture)
 {
   ChartSpec chart = parabola();
