@@ -1,5 +1,7 @@
 #include "apps/HtmlPage.h"
 
+#include "apps/JsonText.h"
+
 #include "render/SmoothSurface.h"
 #include "render/SurfaceMeasures.h"
 #include "render/View.h"
@@ -365,7 +367,7 @@ std::string data_of(const HtmlPage& page)
   {
     data["table"] = json_of(*page.table, page.chart);
   }
-  std::string text = data.dump();
+  std::string text = json_text(data);
   replace_all(text, "</", "<\\/"); // stays the same JSON, and inside its element
   replace_all(text, "<!--", "\\u003c!--");
   return text;

@@ -1,6 +1,7 @@
 // vesicle info: what a mesh is.
 
 #include "apps/Commands.h"
+#include "apps/JsonText.h"
 #include "apps/MeshReport.h"
 
 #include "vtkfilters/Filters/MeshConversion.h"
@@ -38,7 +39,7 @@ void print_mesh(const InfoOptions& options)
   const MeshReport report = report_of(options.file);
   if (options.json)
   {
-    fmt::print("{}\n", to_json(report).dump(2));
+    fmt::print("{}\n", json_text(to_json(report), 2));
     return;
   }
   fmt::print("{}\n{}", options.file, to_text(report));
@@ -71,7 +72,7 @@ void print_series(const InfoOptions& options)
   }
   if (options.json)
   {
-    fmt::print("{}\n", all.dump(2));
+    fmt::print("{}\n", json_text(all, 2));
   }
 }
 

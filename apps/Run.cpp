@@ -1,11 +1,14 @@
 #include "apps/Run.h"
 
+#include "apps/Attempts.h"
 #include "apps/Commands.h"
 #include "apps/Interrupt.h"
 #include "apps/RunMovie.h"
 #include "apps/RunPlots.h"
 #include "apps/RunResume.h"
 
+#include "render/RenderBackend.h"
+#include "solver/Doing.h"
 #include "solver/Errors.h"
 #include "solver/dynamics/Simulation.h"
 #include "solver/scene/SceneFile.h"
@@ -157,13 +160,16 @@ void Run::on_step()
 void Run::record()
 {
   const Row row = stepper_->GetDiagnostics().values();
-  checkpoint_->append(*stepper_->GetState(), row);
-  table_->append(row);
+  doing("writing " + folder_.checkpoint().string(),
+    [&] { checkpoint_->append(*stepper_->GetState(), row); });
+  doing("writing " + folder_.table().string(), [&] { table_->append(row); });
 }
 
 void Run::append_frame()
 {
-  series_.append(stepper_->GetOutput(), stepper_->GetStateTime());
+  doing(fmt::format("writing the frame at t = {:.6g} of {}", stepper_->GetStateTime(),
+          series_.pvd_file().string()),
+    [&] { series_.append(stepper_->GetOutput(), stepper_->GetStateTime()); });
 }
 
 bool Run::is_failed()
@@ -202,63 +208,99 @@ void Run::require_movie_color()
   }
 }
 
-// Plots, like the movie, need something that draws; a run is not failed for that.
-void Run::write_plots(const RunTable& table)
+void Run::write_summary()
+{
+  doing("writing " + folder_.summary().string(),
+    [&] { vesicle::write_summary(summary_, folder_.summary()); });
+}
+
+void Run::summarize()
+{
+  summary_.scene = scene_;
+  summary_.outcome = outcome();
+  summary_.message = is_failed() ? stepper_->GetErrorMessage() : "";
+  summary_.last = stepper_->GetDiagnostics();
+  summary_.frames = series_.frames().size();
+  summary_.triangles = static_cast<int>(stepper_->GetSimulation()->triangles().rows());
+  summary_.steps = stepper_->GetState()->step - first_step_;
+  summary_.resumed = resumed_;
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - began_;
+  summary_.wall_seconds = wall.count();
+  write_summary();
+  progress_->say(fmt::format("{} at t = {:.6g} after {} steps in {}: {} frames in {}",
+    summary_.outcome, stepper_->GetStateTime(), summary_.steps, duration_text(wall.count()),
+    summary_.frames, folder_.folder().string()));
+}
+
+void Run::write_plots(const RunTable& table, Attempts& attempts)
 {
   try
   {
-    make_folder(folder_.plots());
-    write_run_plots(scene_, table, folder_.plots());
+    render_backend();
   }
-  catch (const IoError&)
-  {
-    throw;
-  }
-  catch (const std::runtime_error& error)
+  catch (const NothingToDrawWith& error)
   {
     progress_->say(fmt::format("no plots: {}", error.what()));
+    return;
   }
+  const auto failure =
+    attempts.attempt("making " + folder_.plots().string(), [&] { make_folder(folder_.plots()); });
+  if (!failure.empty())
+  {
+    return;
+  }
+  for (const RunPlot& plot : run_plots(scene_, table))
+  {
+    const auto file = folder_.plots() / (plot.name + ".png");
+    attempts.attempt("drawing " + file.string(), [&] { write_chart(file, plot.chart); });
+  }
+}
+
+void Run::make_movie(const RunTable& table, Attempts& attempts)
+{
+  const auto failure = attempts.attempt("making the movie in " + folder_.pictures().string(),
+    [&]
+    { summary_.movie_note = make_run_movie(scene_, folder_, series_.files(), table, *progress_); });
+  if (!failure.empty())
+  {
+    summary_.movie_note = "no movie: " + failure;
+  }
+  write_summary();
+}
+
+/// A run is not failed where nothing can draw; where a picture fails, the others are made and the
+/// failure is told at the end.
+void Run::draw(const RunTable& table)
+{
+  Attempts attempts;
+  if (options_.plots)
+  {
+    write_plots(table, attempts);
+  }
+  if (options_.movie)
+  {
+    make_movie(table, attempts);
+  }
+  attempts.require_success();
 }
 
 void Run::finish()
 {
   const RunTable table = run_table(checkpoint_->series());
   checkpoint_.reset(); // closed, and free for others to read
-  RunSummary summary;
-  summary.scene = scene_;
-  summary.outcome = outcome();
-  summary.message = is_failed() ? stepper_->GetErrorMessage() : "";
-  summary.last = stepper_->GetDiagnostics();
-  summary.frames = series_.frames().size();
-  summary.triangles = static_cast<int>(stepper_->GetSimulation()->triangles().rows());
-  summary.steps = stepper_->GetState()->step - first_step_;
-  summary.resumed = resumed_;
-  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - began_;
-  summary.wall_seconds = wall.count();
-  write_summary(summary, folder_.summary());
-  progress_->say(fmt::format("{} at t = {:.6g} after {} steps in {}: {} frames in {}",
-    summary.outcome, stepper_->GetStateTime(), summary.steps, duration_text(wall.count()),
-    summary.frames, folder_.folder().string()));
+  summarize();
   if (is_failed())
   {
     throw NumericalError(fmt::format(
-      "{} The last good state is saved in {}", summary.message, folder_.checkpoint().string()));
+      "{} The last good state is saved in {}", summary_.message, folder_.checkpoint().string()));
   }
-  if (summary.outcome == "interrupted")
+  if (summary_.outcome == "interrupted")
   {
     progress_->say("go on with --resume");
   }
   else
   {
-    if (options_.plots)
-    {
-      write_plots(table);
-    }
-    if (options_.movie)
-    {
-      summary.movie_note = make_run_movie(scene_, folder_, series_.files(), table, *progress_);
-      write_summary(summary, folder_.summary());
-    }
+    draw(table);
   }
 }
 

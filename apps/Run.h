@@ -22,6 +22,8 @@
 namespace vesicle
 {
 
+class Attempts;
+
 struct RunOptions
 {
   bool resume = false;
@@ -53,7 +55,11 @@ private:
   void record();
   void append_frame();
   void require_movie_color();
-  void write_plots(const RunTable& table);
+  void summarize();
+  void write_summary();
+  void draw(const RunTable& table);
+  void write_plots(const RunTable& table, Attempts& attempts);
+  void make_movie(const RunTable& table, Attempts& attempts);
   bool is_failed();
   std::string outcome();
   RunFile create_checkpoint() const;
@@ -70,6 +76,7 @@ private:
   std::exception_ptr failure_; ///< of an observer: it must not pass through VTK
   std::int64_t first_step_ = 0;
   bool resumed_ = false;
+  RunSummary summary_;
 };
 
 }

@@ -5,6 +5,7 @@
 #include "apps/RunFolder.h"
 #include "apps/RunPlots.h"
 
+#include "render/RenderBackend.h"
 #include "render/SceneGuides.h"
 #include "solver/Errors.h"
 
@@ -18,9 +19,9 @@ namespace vesicle
 namespace
 {
 
-struct Stopped : std::runtime_error
+/// Thrown by our own observer on Ctrl-C; no error, so nothing on the way takes it for one.
+struct Stopped
 {
-  using std::runtime_error::runtime_error;
 };
 
 MovieSettings settings_of(
@@ -43,7 +44,7 @@ MovieSettings settings_of(
     progress.count("movie: frame", done, total);
     if (interrupted() && done < total)
     {
-      throw Stopped("interrupted");
+      throw Stopped{};
     }
   };
   return settings;
@@ -84,6 +85,12 @@ void require_color(const Scene& scene, vtkPolyData* surface)
 std::string make_run_movie(const Scene& scene, const RunFolder& folder,
   const std::vector<std::filesystem::path>& frames, const RunTable& table, Progress& progress)
 {
+  const auto none = [&progress](const std::string& why)
+  {
+    const auto note = "no movie: " + why;
+    progress.say(note);
+    return note;
+  };
   try
   {
     const auto report = make_movie(frames, settings_of(scene, folder, table, progress));
@@ -91,16 +98,25 @@ std::string make_run_movie(const Scene& scene, const RunFolder& folder,
       ? fmt::format("{} frames, {}", report.frames, report.mp4->filename().string())
       : report.note;
   }
-  catch (const std::runtime_error& error)
+  catch (const Stopped&)
   {
-    // Ctrl-C reaches ffmpeg too, which then fails.
-    if (dynamic_cast<const IoError*>(&error) && !interrupted())
+    return none("interrupted");
+  }
+  catch (const InputError& error)
+  {
+    return none(error.what());
+  }
+  catch (const NothingToDrawWith& error)
+  {
+    return none(error.what());
+  }
+  catch (const IoError& error)
+  {
+    if (!interrupted()) // Ctrl-C reaches ffmpeg too, which then fails.
     {
       throw;
     }
-    const auto note = fmt::format("no movie: {}", error.what());
-    progress.say(note);
-    return note;
+    return none(error.what());
   }
 }
 

@@ -143,16 +143,18 @@ std::vector<std::string> chart_columns(const std::string& name, const RunTable& 
   return columns;
 }
 
-void write_run_plots(const Scene& scene, const RunTable& table, const std::filesystem::path& folder)
+std::vector<RunPlot> run_plots(const Scene& scene, const RunTable& table)
 {
+  std::vector<RunPlot> plots;
   for (const Subject& subject : subjects)
   {
-    const auto chart = run_chart(subject.name, table);
+    auto chart = run_chart(subject.name, table);
     if (chart && says_something(subject.name, scene))
     {
-      write_chart(folder / (std::string(subject.name) + ".png"), *chart);
+      plots.push_back({ subject.name, std::move(*chart) });
     }
   }
+  return plots;
 }
 
 }

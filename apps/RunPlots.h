@@ -6,9 +6,9 @@
 #include "render/Chart.h"
 #include "solver/scene/Scene.h"
 
-#include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace vesicle
 {
@@ -20,10 +20,14 @@ std::optional<ChartSpec> run_chart(const std::string& subject, const RunTable& t
 /// The columns of the table that it shows.
 std::vector<std::string> chart_columns(const std::string& subject, const RunTable& table);
 
-/// Writes one PNG a subject into `folder`: those that say something of this scene (energy where
-/// there is bending, velocity under gravity, inclination in a flow, tension, drift). Throws
-/// IoError.
-void write_run_plots(
-  const Scene& scene, const RunTable& table, const std::filesystem::path& folder);
+struct RunPlot
+{
+  std::string name; ///< of the subject, and of the file but for its ending
+  ChartSpec chart;
+};
+
+/// Those that say something of this scene: energy where there is bending, velocity under gravity,
+/// inclination in a flow, tension, axes, corrections, time step.
+std::vector<RunPlot> run_plots(const Scene& scene, const RunTable& table);
 
 }

@@ -1,5 +1,7 @@
 #include "apps/Summary.h"
 
+#include "apps/JsonText.h"
+
 #include "solver/dynamics/Blas.h"
 #include "solver/scene/SceneFile.h"
 #include "vtkfilters/Filters/FileBytes.h"
@@ -79,7 +81,7 @@ void write_summary(const RunSummary& s, const std::filesystem::path& file)
   summary["versions"] = versions();
   summary["scene_file"] = s.scene.file.string();
   summary["settings"] = write_scene(s.scene);
-  replace_file(file, summary.dump(2) + "\n");
+  replace_file(file, json_text(summary, 2) + "\n");
 }
 
 }

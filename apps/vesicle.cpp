@@ -2,6 +2,7 @@
 
 #include "apps/Commands.h"
 
+#include "solver/Doing.h"
 #include "solver/Errors.h"
 #include "solver/dynamics/Blas.h"
 
@@ -11,6 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include <iostream>
+#include <string>
 
 namespace vesicle
 {
@@ -23,12 +25,24 @@ int fail(const std::exception& error, int code)
   return code;
 }
 
-/// The one place where errors become exit codes.
-int carry_out(const Action& action)
+/// As the user typed it.
+std::string command_line(int argc, char** argv)
+{
+  std::string line = "vesicle";
+  for (int i = 1; i < argc; ++i)
+  {
+    line += std::string(" ") + argv[i];
+  }
+  return line;
+}
+
+/// The one place where errors become exit codes. An error that doesn't say what was being done is
+/// told with the command.
+int carry_out(const Action& action, const std::string& command)
 {
   try
   {
-    return action();
+    return doing(command, action);
   }
   catch (const InputError& error)
   {
@@ -38,7 +52,7 @@ int carry_out(const Action& action)
   {
     return fail(error, exit_code::numerical);
   }
-  catch (const std::exception& error) // IoError, out of memory, nothing to draw with, …
+  catch (const std::exception& error) // IoError, UnforeseenError
   {
     return fail(error, exit_code::io);
   }
@@ -73,7 +87,7 @@ int run_command_line(int argc, char** argv)
   {
     return app.exit(outcome) == 0 ? exit_code::done : exit_code::bad_input;
   }
-  return carry_out(action);
+  return carry_out(action, command_line(argc, argv));
 }
 
 }

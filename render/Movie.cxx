@@ -4,6 +4,7 @@
 #include "render/FrameFile.h"
 #include "render/PngFile.h"
 #include "render/VelocityArrows.h"
+#include "solver/Doing.h"
 #include "solver/Errors.h"
 
 #include "vtkImageData.h"
@@ -45,7 +46,7 @@ vtkSmartPointer<vtkPolyData> frame_of(const FrameSource& frames, int i)
   return surface;
 }
 
-/// Calls work(i) for each frame; an InputError then says which frame it was.
+/// Calls work(i) for each frame; an error then says which frame it was.
 template<typename Work>
 void for_each_frame(int count, const FrameName& name, Work&& work)
 {
@@ -53,7 +54,7 @@ void for_each_frame(int count, const FrameName& name, Work&& work)
   {
     try
     {
-      work(i);
+      doing("drawing " + name(i), [&] { work(i); });
     }
     catch (const InputError& error)
     {
@@ -171,7 +172,8 @@ void make_film(const MovieSettings& settings, int count, MovieReport& report)
   else
   {
     const FrameRate rate = frame_rate(count);
-    report.note = encode_film(*ffmpeg, settings.directory, rate, *settings.mp4).value_or("");
+    report.note = doing("making " + settings.mp4->string(),
+      [&] { return encode_film(*ffmpeg, settings.directory, rate, *settings.mp4).value_or(""); });
     report.frames_per_second = rate.per_second();
   }
   if (report.note.empty())

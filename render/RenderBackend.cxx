@@ -8,7 +8,6 @@
 #include <spdlog/spdlog.h>
 
 #include <sstream>
-#include <stdexcept>
 
 namespace vesicle
 {
@@ -37,7 +36,7 @@ RenderBackend choose()
   const OffscreenWindows& windows = use_offscreen_windows();
   if (windows.name.empty())
   {
-    throw std::runtime_error("nothing to draw pictures with: " + windows.failures +
+    throw NothingToDrawWith("nothing to draw pictures with: " + windows.failures +
       "; install the Debian package libosmesa6");
   }
   if (!windows.failures.empty())

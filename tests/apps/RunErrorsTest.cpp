@@ -1,4 +1,5 @@
 #include "Command.h"
+#include "RunFiles.h"
 
 #include "vtkfilters/Filters/MeshConversion.h"
 #include "vtkfilters/Filters/MeshFiles.h"
@@ -10,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <fstream>
 
 namespace vesicle::test
@@ -137,6 +139,66 @@ TEST_F(RunErrors, FailedRunKeepsItsLastGoodState)
   EXPECT_GE(read_series(folder / "pear/pear.pvd").size(), 1u);
   EXPECT_NE(bytes_of(folder / "pear/summary.json").find("\"failed\""), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(folder / "pear/pear.h5"));
+}
+
+// A picture that can't be written is told, and loses none of the others.
+TEST_F(RunErrors, AFileInThePlaceOfThePlotsLosesNoMovie)
+{
+  std::filesystem::create_directory(folder / "pear");
+  std::ofstream(folder / "pear/plots") << "in the way";
+  const auto outcome = vesicle_command(folder.path(),
+    { "run", "pear.toml", "--set", "accuracy.preset=fast", "--set", "time.end=0.1" });
+  if (!draws(folder / "pear"))
+  {
+    GTEST_SKIP() << "nothing can draw here";
+  }
+  EXPECT_EQ(outcome.code, 4);
+  expect_mentions(outcome, "pear/plots");
+  EXPECT_TRUE(std::filesystem::exists(folder / "pear/movie/frame_000001.png"));
+}
+
+TEST_F(RunErrors, APlotThatCannotBeWrittenLosesNoOther)
+{
+  ASSERT_EQ(run({ "--set", "accuracy.preset=fast", "--set", "time.end=0.1" }).code, 0);
+  std::filesystem::create_directories(folder / "pear/plots/energy.png/in the way");
+  const auto outcome = vesicle_command(folder.path(),
+    { "run", "pear.toml", "--resume", "--set", "accuracy.preset=fast", "--set", "time.end=0.2" });
+  if (!draws(folder / "pear"))
+  {
+    GTEST_SKIP() << "nothing can draw here";
+  }
+  EXPECT_EQ(outcome.code, 4);
+  expect_mentions(outcome, "pear/plots/energy.png");
+  for (const char* file : { "plots/axes.png", "plots/step.png", "movie/frame_000002.png" })
+  {
+    EXPECT_TRUE(std::filesystem::exists(folder / "pear" / file)) << file;
+  }
+}
+
+TEST_F(RunErrors, NamesThatAreNotUtf8AreNoReasonToFail)
+{
+  const auto odd = folder / "\xe9t\xe9";
+  std::filesystem::create_directory(odd);
+  std::filesystem::copy(folder / "pear.toml", odd / "pear.toml");
+  const auto outcome = vesicle_command(folder.path(),
+    { "run", (odd / "pear.toml").string(), "-o", "\xe9", "--no-movie", "--no-plots", "--set",
+      "accuracy.preset=fast", "--set", "time.end=0.1" });
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_TRUE(std::filesystem::exists(folder / "\xe9/summary.json"));
+  EXPECT_EQ(vesicle_command(folder.path(), { "info", "\xe9/pear.pvd", "--json" }).code, 0);
+}
+
+TEST_F(RunErrors, WithNothingToDrawWithARunIsDone)
+{
+  const char* const before = std::getenv("VESICLE_RENDER_BACKEND");
+  const std::string kept = before ? before : "";
+  setenv("VESICLE_RENDER_BACKEND", "none", 1);
+  const auto outcome = vesicle_command(folder.path(),
+    { "run", "pear.toml", "--set", "accuracy.preset=fast", "--set", "time.end=0.1" });
+  before ? setenv("VESICLE_RENDER_BACKEND", kept.c_str(), 1) : unsetenv("VESICLE_RENDER_BACKEND");
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_NE(outcome.output.find("no plots: nothing to draw"), std::string::npos) << outcome.output;
+  EXPECT_NE(outcome.output.find("no movie: nothing to draw"), std::string::npos) << outcome.output;
 }
 
 }

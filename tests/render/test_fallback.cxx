@@ -7,7 +7,6 @@
 #include "render/RenderBackend.h"
 
 #include <gtest/gtest.h>
-#include <stdexcept>
 
 using namespace vesicle;
 using namespace vesicle::test;
@@ -15,7 +14,7 @@ using namespace vesicle::test;
 TEST(RenderFallback, NothingToDrawWithIsAClearError)
 {
   setenv("VESICLE_RENDER_BACKEND", "x", 1);
-  const auto message = message_of<std::runtime_error>([] { render_backend(); });
+  const auto message = message_of<NothingToDrawWith>([] { render_backend(); });
   EXPECT_NE(message.find("libosmesa6"), std::string::npos) << message;
   EXPECT_NE(message.find("DISPLAY"), std::string::npos) << message;
 }

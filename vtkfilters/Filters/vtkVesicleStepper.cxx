@@ -5,6 +5,7 @@
 #include "SceneNumbers.h"
 #include "Trajectory.h"
 
+#include "solver/Doing.h"
 #include "solver/Errors.h"
 #include "solver/dynamics/Simulation.h"
 #include "solver/scene/SceneFile.h"
@@ -16,6 +17,8 @@
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTimeStamp.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -337,6 +340,11 @@ bool vtkVesicleStepper::Guarded(const Work& work)
     this->ErrorCategory = NumericalFailure;
     this->Internal->ErrorMessage = error.what();
   }
+  catch (const vesicle::UnforeseenError& error)
+  {
+    this->ErrorCategory = NumericalFailure; // it can't go on either, and the last state is good
+    this->Internal->ErrorMessage = error.what();
+  }
   catch (const vesicle::IoError& error)
   {
     this->ErrorCategory = IoFailure;
@@ -442,7 +450,7 @@ int vtkVesicleStepper::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   this->ForgetFailure();
-  if (!this->Guarded([&] { this->ReadScene(); }))
+  if (!this->Guarded([&] { vesicle::doing("reading the scene", [&] { this->ReadScene(); }); }))
   {
     return 0;
   }
@@ -476,7 +484,8 @@ void vtkVesicleStepper::AdvanceTo(double time)
   while (!path.finished() && path.last().time < time &&
     !vesicle::same_time(path.last().time, time) && !this->GetAbortExecute())
   {
-    path.advance();
+    vesicle::doing(
+      fmt::format("the step after t = {:.6g}", path.last().time), [&] { path.advance(); });
     this->InvokeEvent(StepAcceptedEvent);
     this->ShareProgress(from, time);
   }
@@ -501,7 +510,8 @@ int vtkVesicleStepper::RequestData(
     vtkWarningMacro(<< "the start shape is empty: there is nothing to simulate");
     return 1;
   }
-  if (!this->Guarded([&] { this->Prepare(start); }))
+  if (!this->Guarded(
+        [&] { vesicle::doing("preparing the simulation", [&] { this->Prepare(start); }); }))
   {
     return 0;
   }
@@ -509,7 +519,12 @@ int vtkVesicleStepper::RequestData(
     ? info->Get(Pipeline::UPDATE_TIME_STEP())
     : internal.Path->start_time();
   this->Guarded([&] { this->AdvanceTo(time); }); // after a failure the last good state is delivered
-  return this->Guarded([&] { internal.Deliver(internal.Path->at(time), start, output); });
+  return this->Guarded(
+    [&]
+    {
+      vesicle::doing(fmt::format("the surface at t = {:.6g}", time),
+        [&] { internal.Deliver(internal.Path->at(time), start, output); });
+    });
 }
 
 void vtkVesicleStepper::PrintSelf(ostream& os, vtkIndent indent)
