@@ -1,7 +1,7 @@
 #include "render/SmoothSurface.h"
 
 #include "solver/Errors.h"
-#include "solver/geometry/LoopBasis.h"
+#include "solver/surface/LoopBasis.h"
 #include "vtkfilters/Filters/MeshConversion.h"
 
 #include "vtkCellArray.h"

@@ -19,7 +19,7 @@ struct SmoothMesh
 };
 
 /// For display only: the vertices and the values there stay what they are, and in between comes the
-/// limit surface (Loop 1987, see solver/geometry/LoopBasis.h) that passes through them.
+/// limit surface (Loop 1987, see solver/surface/LoopBasis.h) that passes through them.
 class SmoothSurface
 {
 public:

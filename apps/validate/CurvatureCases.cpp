@@ -4,8 +4,8 @@
 #include "apps/validate/Data.h"
 
 #include "solver/dynamics/Discretization.h"
-#include "solver/geometry/Cotan.h"
-#include "solver/geometry/FittedCurvature.h"
+#include "solver/surface/Cotan.h"
+#include "solver/surface/FittedCurvature.h"
 #include "solver/membrane/Bending.h"
 #include "solver/mesh/remesh/Resample.h"
 #include "solver/mesh/shapes/Shapes.h"

@@ -2,7 +2,7 @@
 
 #include "apps/validate/Cases.h"
 
-#include "solver/geometry/LoopBasis.h"
+#include "solver/surface/LoopBasis.h"
 #include "solver/mesh/shapes/Shapes.h"
 #include "solver/stokes/LayerModes.h"
 #include "solver/mesh/shapes/SampleMeshes.h"

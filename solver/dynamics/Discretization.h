@@ -4,7 +4,7 @@
 // control points c with x = P c beside them.
 
 #include "solver/dynamics/Model.h"
-#include "solver/geometry/Cotan.h"
+#include "solver/surface/Cotan.h"
 #include "solver/stokes/SingleLayer.h"
 
 #include <memory>

@@ -1,6 +1,6 @@
 #include "solver/dynamics/Discretization.h"
 
-#include "solver/geometry/FittedCurvature.h"
+#include "solver/surface/FittedCurvature.h"
 #include "solver/membrane/Bending.h"
 #include "solver/stokes/AmbientFlow.h"
 

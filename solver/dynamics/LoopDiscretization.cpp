@@ -1,7 +1,7 @@
 #include "solver/dynamics/Discretization.h"
 
-#include "solver/geometry/FittedCurvature.h"
-#include "solver/geometry/LoopBasis.h"
+#include "solver/surface/FittedCurvature.h"
+#include "solver/surface/LoopBasis.h"
 #include "solver/membrane/Bending.h"
 #include "solver/membrane/SurfaceBending.h"
 #include "solver/stokes/AmbientFlow.h"

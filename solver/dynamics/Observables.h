@@ -1,7 +1,7 @@
 #pragma once
 // What the field reports of a vesicle's shape and motion.
 
-#include "solver/geometry/Surface.h"
+#include "solver/surface/SurfaceIntegrals.h"
 
 #include <array>
 #include <optional>

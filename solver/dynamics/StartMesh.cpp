@@ -1,7 +1,7 @@
 #include "solver/dynamics/Simulation.h"
 
 #include "solver/dynamics/Discretization.h"
-#include "solver/geometry/LoopBasis.h"
+#include "solver/surface/LoopBasis.h"
 #include "solver/membrane/SurfaceBending.h"
 #include "solver/mesh/remesh/Resample.h"
 

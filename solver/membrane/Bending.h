@@ -2,7 +2,7 @@
 // Bending: energy, force density, and the linear response of the force to a displacement, which
 // implicit time stepping needs. All with EB = 1.
 
-#include "solver/geometry/Cotan.h"
+#include "solver/surface/Cotan.h"
 
 namespace vesicle
 {

@@ -1,7 +1,7 @@
 #pragma once
 // Curvatures of surfaces given by a formula, for errors at any point of any mesh.
 
-#include "solver/geometry/Cotan.h"
+#include "solver/surface/Cotan.h"
 
 #include <functional>
 

@@ -2,7 +2,7 @@
 // Bending on a smooth surface given by a basis with second derivatives, in weak form. All with EB
 // = 1.
 
-#include "solver/geometry/Surface.h"
+#include "solver/surface/SurfaceIntegrals.h"
 
 namespace vesicle
 {

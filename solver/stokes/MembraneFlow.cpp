@@ -1,6 +1,6 @@
 #include "solver/stokes/MembraneFlow.h"
 
-#include "solver/geometry/LoopBasis.h"
+#include "solver/surface/LoopBasis.h"
 
 #include <Eigen/SparseLU>
 

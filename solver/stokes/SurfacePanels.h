@@ -3,7 +3,7 @@
 // a few dozen multiplications whatever the basis, so that a quadrature can be made for every single
 // target.
 
-#include "solver/geometry/Surface.h"
+#include "solver/surface/SurfaceIntegrals.h"
 
 #include <functional>
 

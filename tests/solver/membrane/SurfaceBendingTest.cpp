@@ -1,6 +1,6 @@
 #include "solver/membrane/SurfaceBending.h"
 
-#include "solver/geometry/LoopBasis.h"
+#include "solver/surface/LoopBasis.h"
 #include "tests/solver/support/TestMeshes.h"
 
 #include <Eigen/SparseCholesky>

@@ -2,7 +2,7 @@
 // triangles the root mean square error falls with an order of 2.8 to 3.5 in the edge length:
 // elsewhere the surface is of fourth order, around the twelve extraordinary vertices of second.
 
-#include "solver/geometry/LoopBasis.h"
+#include "solver/surface/LoopBasis.h"
 #include "solver/stokes/SingleLayer.h"
 #include "tests/solver/support/TestMeshes.h"
 

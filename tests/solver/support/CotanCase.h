@@ -1,6 +1,6 @@
 #pragma once
 
-#include "solver/geometry/Cotan.h"
+#include "solver/surface/Cotan.h"
 
 namespace vesicle::test
 {

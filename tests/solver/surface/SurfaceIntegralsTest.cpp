@@ -1,4 +1,4 @@
-#include "solver/geometry/Surface.h"
+#include "solver/surface/SurfaceIntegrals.h"
 #include "tests/solver/support/TestMeshes.h"
 
 #include <gtest/gtest.h>

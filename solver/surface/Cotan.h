@@ -2,7 +2,7 @@
 // Curvatures of a flat-triangle mesh by averaging over vertex patches, paper (14)–(24).
 // Works on any triangle mesh; vertices on an open border or without triangles are marked.
 
-#include "solver/geometry/Surface.h"
+#include "solver/surface/SurfaceIntegrals.h"
 
 namespace vesicle
 {

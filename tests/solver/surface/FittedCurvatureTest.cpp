@@ -1,5 +1,5 @@
 // Not covered: meshes with noise in their points (scans), where fits of fourth order amplify it.
-#include "solver/geometry/FittedCurvature.h"
+#include "solver/surface/FittedCurvature.h"
 #include "solver/membrane/Bending.h"
 #include "solver/membrane/ExactCurvature.h"
 #include "solver/state/Table.h"

@@ -2,7 +2,7 @@
 // The surface at the rows of a basis table, and the functionals of the surface with their exact
 // derivatives. Vectors over the nodes have 3 entries a node (x, y, z interleaved), 3N in all.
 
-#include "solver/geometry/Basis.h"
+#include "solver/surface/Basis.h"
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>

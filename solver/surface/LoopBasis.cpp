@@ -1,4 +1,4 @@
-#include "solver/geometry/LoopBasis.h"
+#include "solver/surface/LoopBasis.h"
 
 #include "solver/Errors.h"
 

@@ -1,4 +1,4 @@
-#include "solver/geometry/Basis.h"
+#include "solver/surface/Basis.h"
 
 namespace vesicle
 {

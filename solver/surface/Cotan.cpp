@@ -1,4 +1,4 @@
-#include "solver/geometry/Cotan.h"
+#include "solver/surface/Cotan.h"
 
 #include <cmath>
 #include <numbers>

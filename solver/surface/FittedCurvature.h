@@ -26,7 +26,7 @@
 //     ellipsoid cut open, from 5,120 triangles (OpenBorder):
 //       inside H 9.4e-5, Δ_s H 3.9e-2; on the border H 2.1e-3, Δ_s H 1.7: no figure to use
 
-#include "solver/geometry/Cotan.h"
+#include "solver/surface/Cotan.h"
 
 #include <vector>
 

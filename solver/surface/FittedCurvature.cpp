@@ -1,4 +1,4 @@
-#include "solver/geometry/FittedCurvature.h"
+#include "solver/surface/FittedCurvature.h"
 
 #include <Eigen/QR>
 #include <tbb/parallel_for.h>

@@ -1,4 +1,4 @@
-#include "solver/geometry/Surface.h"
+#include "solver/surface/SurfaceIntegrals.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

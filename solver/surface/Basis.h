@@ -3,7 +3,7 @@
 // Everything that integrates over the surface is written against a table of N_k and its derivatives
 // at quadrature points, so that linear elements and smoother ones share one set of operators.
 
-#include "solver/geometry/Quadrature.h"
+#include "solver/surface/Quadrature.h"
 #include "solver/mesh/TriangleMesh.h"
 
 #include <Eigen/SparseCore>

@@ -1,4 +1,4 @@
-#include "solver/geometry/Quadrature.h"
+#include "solver/surface/Quadrature.h"
 
 #include "solver/Errors.h"
 

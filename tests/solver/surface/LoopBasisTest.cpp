@@ -1,7 +1,7 @@
-#include "solver/geometry/LoopBasis.h"
+#include "solver/surface/LoopBasis.h"
 
 #include "solver/Errors.h"
-#include "solver/geometry/Surface.h"
+#include "solver/surface/SurfaceIntegrals.h"
 #include "tests/solver/support/TestMeshes.h"
 
 #include <Eigen/SparseLU>

@@ -1,5 +1,5 @@
 #include "solver/Errors.h"
-#include "solver/geometry/Quadrature.h"
+#include "solver/surface/Quadrature.h"
 
 #include <gtest/gtest.h>
 
