@@ -38,13 +38,14 @@ std::string reason_to_reject(const StepReport& r, const StepLimits& limits)
   return {};
 }
 
-double wanted_step(double dt, const StepReport& report, const StepLimits& limits)
+double wanted_step(double taken, double planned, const StepReport& report, const StepLimits& limits)
 {
-  double wanted =
-    report.error > 0 ? limits.safety * std::sqrt(limits.tolerance / report.error) : limits.growth;
-  if (report.energy_rise > 0) // a rise is a rate times dt
-    wanted = std::min(wanted, limits.safety * limits.energy_rise / report.energy_rise);
-  return dt * std::clamp(wanted, limits.shrink, limits.growth);
+  double wanted = INFINITY;
+  if (report.error > 0)
+    wanted = limits.safety * std::sqrt(limits.tolerance / report.error) * taken;
+  if (report.energy_rise > 0)
+    wanted = std::min(wanted, limits.safety * limits.energy_rise / report.energy_rise * taken);
+  return std::clamp(wanted, limits.shrink * taken, limits.growth * std::max(taken, planned));
 }
 
 double step_towards(double dt, double time, double target)

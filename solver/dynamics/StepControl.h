@@ -34,9 +34,11 @@ struct StepLimits
 /// Why the step can't be accepted; empty if it can.
 std::string reason_to_reject(const StepReport& report, const StepLimits& limits);
 
-/// The dt that the error asks for after a step dt (the estimate grows as dt²), shorter where the
-/// energy rose.
-double wanted_step(double dt, const StepReport& report, const StepLimits& limits);
+/// The dt that the report on a step `taken` asks for: the error's estimate grows as dt², a rise of
+/// the energy as dt. It grows from `planned`, the step that the controller wanted when `taken` may
+/// have been cut short to hit an output time: being cut short says nothing against longer steps.
+double wanted_step(
+  double taken, double planned, const StepReport& report, const StepLimits& limits);
 
 /// dt shortened such that `time` + n dt hits `target`: the last two steps before it share what is
 /// left.

@@ -90,6 +90,17 @@ TEST(Pear, LinearElements)
   EXPECT_LT(*end.tilt_deg, 0.1);
 }
 
+// Output times cut few of the steps that the tolerance asks for: 19 where there is one at the end,
+// of which the first ten, short ones lead to t = 0.33; one an interval of 0.1 from there.
+TEST(Pear, OutputTimesCostFewSteps)
+{
+  const auto steps = [&](const std::string& every) {
+    return run("pear", { "vesicle.triangles=320", "time.output_every=" + every }).rows.back().step;
+  };
+  EXPECT_LE(steps("0.1"), 10 + 21 + 4);
+  EXPECT_LE(steps("2.4"), 20);
+}
+
 TEST(Pear, LoopSurface)
 {
   // The balance is off by 1.2e-3 and 1.6e-4 whatever the steps: order 1.4 in N.

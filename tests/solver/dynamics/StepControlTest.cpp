@@ -40,11 +40,22 @@ TEST(StepControl, TheErrorEstimateIsOfSecondOrder)
 {
   StepReport report;
   report.error = 4e-3; // four times the tolerance: half the step, less the safety
-  EXPECT_DOUBLE_EQ(wanted_step(0.1, report, {}), 0.9 * 0.05);
+  EXPECT_DOUBLE_EQ(wanted_step(0.1, 0.1, report, {}), 0.9 * 0.05);
   report.error = 0;
-  EXPECT_DOUBLE_EQ(wanted_step(0.1, report, {}), 0.15);
+  EXPECT_DOUBLE_EQ(wanted_step(0.1, 0.1, report, {}), 0.15);
   report.energy_rise = 0.9e-6;
-  EXPECT_DOUBLE_EQ(wanted_step(0.1, report, {}), 0.1);
+  EXPECT_DOUBLE_EQ(wanted_step(0.1, 0.1, report, {}), 0.1);
+}
+
+TEST(StepControl, AStepCutShortForAnOutputTimeDoesNotHoldTheNextOnesBack)
+{
+  StepReport report;
+  report.error = 1e-3 / 16; // of a quarter of the planned step: the whole has the tolerance
+  EXPECT_DOUBLE_EQ(wanted_step(0.1, 0.4, report, {}), 0.9 * 0.4);
+  report.error = 1e-9;
+  EXPECT_DOUBLE_EQ(wanted_step(0.1, 0.4, report, {}), 1.5 * 0.4);
+  report.error = 4e-3; // a short step that is too long all the same
+  EXPECT_DOUBLE_EQ(wanted_step(0.1, 0.4, report, {}), 0.9 * 0.05);
 }
 
 TEST(StepControl, HitsTargetsExactlyWithoutATinyLastStep)
