@@ -53,7 +53,7 @@ bool says_something(const std::string& subject, const Scene& scene)
 {
   return subject == "energy"   ? scene.membrane.bending_rigidity.has_value()
     : subject == "velocity"    ? scene.gravity.has_value()
-    : subject == "inclination" ? scene.flow.has_value()
+    : subject == "inclination" ? scene.flow != nullptr
     : subject == "tension"     ? scene.membrane.incompressible
     : subject == "step"        ? !scene.time.step.has_value()
                                : true;

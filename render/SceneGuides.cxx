@@ -1,7 +1,5 @@
 #include "render/SceneGuides.h"
 
-#include "solver/stokes/AmbientFlow.h"
-
 #include "vtkMath.h"
 
 #include <cmath>
@@ -24,74 +22,56 @@ Point3 point_of(const Vector3& v)
   return { v[0], v[1], v[2] };
 }
 
-/// Where the flow is sampled, in units of the drawing.
-std::vector<Vector3> sample_points(const Scene::Flow& flow, const Vector3& across)
-{
-  using Kind = Scene::Flow::Kind;
-  constexpr double out = 0.6;
-  switch (flow.kind)
-  {
-    case Kind::uniform:
-      return { Vector3::Zero() };
-    case Kind::planar_extension:
-    case Kind::axisymmetric_extension:
-      return { { out, 0, 0 }, { -out, 0, 0 }, { 0, 0, out }, { 0, 0, -out } };
-    case Kind::shear:
-    case Kind::poiseuille:
-      break;
-  }
-  std::vector<Vector3> points;
-  for (const double s : { -0.9, -0.6, -0.3, 0., 0.3, 0.6, 0.9 })
-  {
-    points.push_back(s * across);
-  }
-  return points;
-}
-
 /// The direction in which a profile varies.
-Vector3 across_flow(const Scene::Flow& flow, const View& view)
+Vector3 across_flow(const ImposedFlow::Profile& profile, const View& view)
 {
-  if (flow.kind != Scene::Flow::Kind::poiseuille)
-  {
-    return Vector3::UnitZ();
-  }
-  const Vector3 across = vector_of(view.toward_camera).cross(flow.axis);
+  if (profile.across)
+    return *profile.across;
+  const Vector3 across = vector_of(view.toward_camera).cross(profile.along);
   return across.norm() > 1e-6 ? Vector3(across.normalized()) : vector_of(view.up);
 }
 
-Guide flow_guide(const Scene::Flow& flow, const View& view)
+/// Arrows of a flow at points `from` of the drawing, the longest of unit length; `at` are the same
+/// points in the flow. A profile's arrows start from its line, others lie about their points.
+Guide flow_arrows(const ImposedFlow& flow, const Points& at, const Points& from, bool profile)
 {
-  using Kind = Scene::Flow::Kind;
-  const bool profile = flow.kind == Kind::shear || flow.kind == Kind::poiseuille;
-  const Vector3 across = across_flow(flow, view);
-  const auto samples = sample_points(flow, across);
-  Points points(static_cast<Eigen::Index>(samples.size()), 3);
-  for (std::size_t i = 0; i < samples.size(); ++i)
-  {
-    const bool pipe = flow.kind == Kind::poiseuille;
-    points.row(static_cast<Eigen::Index>(i)) =
-      (pipe ? Vector3(flow.center + flow.radius * samples[i]) : samples[i]).transpose();
-  }
-  const Points velocity = ambient_velocity(flow, points);
+  const Points velocity = flow.velocities(at);
   const double largest = velocity.rowwise().norm().maxCoeff();
   Guide guide{ "flow", {}, {} };
-  for (std::size_t i = 0; i < samples.size(); ++i)
+  for (Eigen::Index i = 0; i < at.rows(); ++i)
   {
-    const Vector3 u = velocity.row(static_cast<Eigen::Index>(i)).transpose();
+    const Vector3 u = velocity.row(i).transpose();
     if (u.norm() <= shortest_arrow * largest || largest == 0)
-    {
       continue;
-    }
-    // A profile starts from its line, other arrows lie about their points.
-    const Vector3 arrow = u / largest;
-    const Vector3 from = profile ? samples[i] : Vector3(samples[i] - 0.5 * arrow);
-    guide.arrows.push_back({ point_of(from), point_of(from + arrow) });
-  }
-  if (profile)
-  {
-    guide.lines.push_back({ point_of(-line_end * across), point_of(line_end * across) });
+    const Vector3 arrow = u / largest, point = from.row(i).transpose();
+    const Vector3 start = profile ? point : Vector3(point - 0.5 * arrow);
+    guide.arrows.push_back({ point_of(start), point_of(start + arrow) });
   }
   return guide;
+}
+
+Guide profile_guide(const ImposedFlow& flow, const ImposedFlow::Profile& profile, const View& view)
+{
+  const Vector3 across = across_flow(profile, view);
+  const Eigen::VectorXd places{ { -0.9, -0.6, -0.3, 0, 0.3, 0.6, 0.9 } };
+  const Points from = places * across.transpose();
+  const Points at = (profile.half_width * from).rowwise() + profile.center.transpose();
+  Guide guide = flow_arrows(flow, at, from, true);
+  guide.lines.push_back({ point_of(-line_end * across), point_of(line_end * across) });
+  return guide;
+}
+
+Guide flow_guide(const ImposedFlow& flow, const View& view)
+{
+  if (const auto profile = flow.profile())
+    return profile_guide(flow, *profile, view);
+  constexpr double out = 0.6;
+  Points around(4, 3);
+  around << out, 0, 0, -out, 0, 0, 0, 0, out, 0, 0, -out;
+  const Points velocity = flow.velocities(around);
+  const bool uniform = (velocity.rowwise() - velocity.row(0)).isZero(0);
+  const Points from = uniform ? Points(Points::Zero(1, 3)) : around;
+  return flow_arrows(flow, from, from, false);
 }
 
 Guide gravity_guide(const Scene::Gravity& gravity)

@@ -2,7 +2,6 @@
 
 #include "solver/surface/FittedCurvature.h"
 #include "solver/membrane/Bending.h"
-#include "solver/stokes/AmbientFlow.h"
 
 namespace vesicle
 {
@@ -81,7 +80,7 @@ public:
         : scaled_rows(s.force_normal, model_.bond * points.col(2));
     }
     if (model_.flow)
-      s.ambient = flat(ambient_velocity(*model_.flow, points));
+      s.ambient = flat(model_.flow->velocities(points));
     return s;
   }
 

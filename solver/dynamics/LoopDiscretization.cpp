@@ -4,7 +4,6 @@
 #include "solver/surface/LoopBasis.h"
 #include "solver/membrane/Bending.h"
 #include "solver/membrane/SurfaceBending.h"
-#include "solver/stokes/AmbientFlow.h"
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseLU>
@@ -155,7 +154,7 @@ public:
     if (model_.bond != 0) // z = Σ N_k c_k exactly
       s.load = model_.bond * (s.control.col(2).array() - s.center.z());
     if (model_.flow)
-      s.ambient = flat(ambient_velocity(*model_.flow, vertices));
+      s.ambient = flat(model_.flow->velocities(vertices));
     return s;
   }
 

@@ -1,9 +1,10 @@
 #pragma once
 // What the scene asks for, dimensionless.
 
+#include "solver/flow/ImposedFlow.h"
 #include "solver/scene/Scene.h"
 
-#include <optional>
+#include <memory>
 
 namespace vesicle
 {
@@ -16,8 +17,8 @@ struct Model
   /// energy of the mesh, as time stepping needs it. For single shapes.
   bool fitted_bending = false;
   bool incompressible = true;
-  double bond = 0;                 ///< Δρ g r0⁴/EB; 0: no buoyancy
-  std::optional<Scene::Flow> flow; ///< dimensionless
+  double bond = 0;                         ///< Δρ g r0⁴/EB; 0: no buoyancy
+  std::shared_ptr<const ImposedFlow> flow; ///< dimensionless; empty: fluid at rest
   Scene::Scheme scheme = Scene::Scheme::robust;
 
   bool robust() const { return scheme == Scene::Scheme::robust; }

@@ -4,7 +4,6 @@
 #include "solver/dynamics/Observables.h"
 #include "solver/dynamics/Stepper.h"
 #include "solver/mesh/MeshQuality.h"
-#include "solver/stokes/AmbientFlow.h"
 
 #include <fmt/format.h>
 
@@ -53,7 +52,7 @@ Model make_model(const Scene& scene, const Scales& scales)
   model.incompressible = scene.membrane.incompressible;
   model.bond = bond_number(scene, scales);
   if (scene.flow)
-    model.flow = dimensionless(*scene.flow, scales.length, scales.velocity());
+    model.flow = scene.flow->dimensionless(scales.length, scales.velocity());
   model.scheme = scene.accuracy.scheme;
   return model;
 }
@@ -181,8 +180,8 @@ void Simulation::Impl::add_observables(
 
   RowVectors bending;
   if (model.bending)
-    bending = interpolate(table,
-      rows_of_three(operators.to_control(operators.bending_force(shape, state.bending))));
+    bending = interpolate(
+      table, rows_of_three(operators.to_control(operators.bending_force(shape, state.bending))));
   Eigen::VectorXd tension;
   if (model.incompressible)
     tension = interpolate(table, state.tension);
@@ -340,7 +339,7 @@ Diagnostics Simulation::diagnose(const State& state) const
                    .maxCoeff();
   d.reduced_volume = reduced_volume(shape.area, shape.volume);
 
-  // Power of gravity on the membrane, and the ambient flow's work against all forces.
+  // Power of gravity on the membrane, and the imposed flow's work against all forces.
   const Discretization& operators = impl.stepper.discretization();
   const auto load_power = [&](const Eigen::VectorXd& v)
   { return impl.model.bond != 0 ? operators.load_power(shape, v) : 0; };

@@ -2,7 +2,6 @@
 
 #include "solver/Errors.h"
 #include "solver/dynamics/Projection.h"
-#include "solver/stokes/AmbientFlow.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,7 +54,7 @@ double Stepper::scene_rate() const
 {
   const double settling = 2. / 9 * std::abs(model_.bond); // of a sphere, in r0 a time unit
   return std::max(
-    { model_.bending ? 1. : 0., model_.flow ? flow_rate(*model_.flow) : 0., settling });
+    { model_.bending ? 1. : 0., model_.flow ? model_.flow->imposed_rate() : 0., settling });
 }
 
 double Stepper::implicit_fraction() const

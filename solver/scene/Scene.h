@@ -2,10 +2,12 @@
 // What to model. Plain data in the units of the scene (dimensionless or SI alike); see
 // data/scenes/ for examples and SceneFile.h for the TOML format.
 
+#include "solver/flow/ImposedFlow.h"
 #include "solver/mesh/shapes/Shapes.h"
 
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,25 +44,7 @@ struct Scene
     double viscosity = 1; ///< μ, the same inside and outside
   } fluid;
 
-  struct Flow
-  {
-    enum class Kind
-    {
-      uniform,                ///< u = velocity
-      shear,                  ///< u = rate z e_x
-      planar_extension,       ///< u = rate (x e_x − z e_z)
-      axisymmetric_extension, ///< u = rate (z e_z − x/2 e_x − y/2 e_y)
-      poiseuille ///< u = speed (1 − d²/radius²) axis, d the distance to the axis through center
-    };
-    Kind kind = Kind::shear;
-    double rate = 0;             ///< shear and extensions
-    Vector3 velocity{ 0, 0, 0 }; ///< uniform
-    double speed = 0;            ///< poiseuille, on the axis (the scene's `velocity`)
-    double radius = 1;           ///< poiseuille
-    Vector3 axis{ 1, 0, 0 };     ///< poiseuille, unit
-    Vector3 center{ 0, 0, 0 };   ///< poiseuille
-  };
-  std::optional<Flow> flow; ///< empty: fluid at rest
+  std::shared_ptr<const ImposedFlow> flow; ///< empty: fluid at rest
 
   struct Gravity
   {

@@ -1,6 +1,7 @@
 #include "solver/scene/SceneFile.h"
 
 #include "solver/Errors.h"
+#include "solver/flow/FlowKinds.h"
 #include "solver/scene/NearestName.h"
 #include "solver/scene/SceneDocument.h"
 #include "solver/scene/TableReader.h"
@@ -68,14 +69,6 @@ const KeysByChoice shape_keys{ { "shape", "radius", "triangles", "axis", "rotati
     { "perturbed", { "modes" } },
   } };
 const Keys mesh_keys{ "file", "radius", "triangles", "rotation" };
-
-const KeysByChoice flow_keys{ { "kind" },
-  {
-    { "uniform", { "velocity" } },
-    { "shear", { "rate" } },
-    { "extension", { "rate", "type" } },
-    { "poiseuille", { "velocity", "radius", "axis", "center" } },
-  } };
 
 Keys known_vesicle_keys()
 {
@@ -231,67 +224,109 @@ void read_fluid(const SceneDocument& document, Scene::Fluid& fluid)
   table.read("viscosity", fluid.viscosity, positive);
 }
 
-void read_extension(const TableReader& table, Scene::Flow& flow)
+/// The kinds that a scene calls `name`.
+std::vector<const FlowKind*> kinds_named(const std::string& name)
 {
-  table.require("rate", any_number.allowed);
-  table.require("type", "\"planar\" (x, −z), \"axisymmetric\" (z)");
-  table.read("rate", flow.rate, any_number);
-  table.read("type", flow.kind, extension_names);
+  std::vector<const FlowKind*> kinds;
+  for (const FlowKind* kind : flow_kinds())
+    if (kind->name == name)
+      kinds.push_back(kind);
+  return kinds;
 }
 
-void read_poiseuille(const TableReader& table, Scene::Flow& flow)
+std::vector<std::string> flow_names()
 {
-  flow.kind = Scene::Flow::Kind::poiseuille;
-  table.require("velocity", "a finite number, the speed on the axis");
-  table.require("radius", positive.allowed);
-  table.read("velocity", flow.speed, any_number);
-  table.read("radius", flow.radius, positive);
-  table.read_direction("axis", flow.axis);
-  table.read("center", flow.center);
+  std::vector<std::string> names;
+  for (const FlowKind* kind : flow_kinds())
+    if (names.empty() || names.back() != kind->name)
+      names.push_back(kind->name);
+  return names;
 }
 
-Scene::Flow read_flow_of(const TableReader& table, FlowWord word)
+Keys flow_keys(const FlowKind& kind)
 {
-  Scene::Flow flow;
-  switch (word)
+  Keys keys{ "kind" };
+  for (const FlowParameter& parameter : kind.parameters)
+    keys.push_back(parameter.name);
+  if (!kind.type.empty())
+    keys.push_back("type");
+  return keys;
+}
+
+Keys all_flow_keys()
+{
+  Keys keys;
+  for (const FlowKind* kind : flow_kinds())
+    for (const std::string& key : flow_keys(*kind))
+      if (std::find(keys.begin(), keys.end(), key) == keys.end())
+        keys.push_back(key);
+  return keys;
+}
+
+/// The kind among those of one name that the scene's `type` chooses.
+const FlowKind& read_flow_type(
+  const TableReader& table, const std::vector<const FlowKind*>& candidates)
+{
+  if (candidates.front()->type.empty())
+    return *candidates.front();
+  std::vector<std::string> types, described;
+  for (const FlowKind* kind : candidates)
   {
-    case FlowWord::uniform:
-      flow.kind = Scene::Flow::Kind::uniform;
-      table.require("velocity", "[x, y, z]");
-      table.read("velocity", flow.velocity);
-      break;
-    case FlowWord::shear:
-      flow.kind = Scene::Flow::Kind::shear;
-      table.require("rate", any_number.allowed);
-      table.read("rate", flow.rate, any_number);
-      break;
-    case FlowWord::extension:
-      read_extension(table, flow);
-      break;
-    case FlowWord::poiseuille:
-      read_poiseuille(table, flow);
-      break;
+    types.push_back(kind->type);
+    described.push_back(fmt::format("\"{}\" ({})", kind->type, kind->axes));
   }
-  return flow;
+  table.require("type", fmt::format("{}", fmt::join(described, ", ")));
+  std::string type;
+  table.read("type", type, types);
+  return *candidates[std::find(types.begin(), types.end(), type) - types.begin()];
 }
 
-void read_flow(const SceneDocument& document, std::optional<Scene::Flow>& flow)
+std::string wanted(const FlowParameter& parameter)
+{
+  if (!parameter.missing.empty())
+    return parameter.missing;
+  if (std::holds_alternative<Vector3 ImposedFlow::*>(parameter.member))
+    return "[x, y, z]";
+  return parameter.positive ? positive.allowed : any_number.allowed;
+}
+
+void read_parameter(const TableReader& table, const FlowParameter& parameter, double& number)
+{
+  table.read(parameter.name, number, parameter.positive ? positive : any_number);
+}
+
+void read_parameter(const TableReader& table, const FlowParameter& parameter, Vector3& vector)
+{
+  if (parameter.dimension == Dimension::direction)
+    table.read_direction(parameter.name, vector);
+  else
+    table.read(parameter.name, vector);
+}
+
+void read_flow(const SceneDocument& document, std::shared_ptr<const ImposedFlow>& flow)
 {
   const TableReader table(document, "flow");
   if (!table.given())
-  {
     return;
-  }
   if (!table.has("kind"))
   {
-    table.check_keys(flow_keys.all());
-    table.fail("kind", "is missing", "\"uniform\", \"shear\", \"extension\", \"poiseuille\"");
+    table.check_keys(all_flow_keys());
+    table.fail("kind", "is missing", fmt::format("\"{}\"", fmt::join(flow_names(), "\", \"")));
   }
-  FlowWord word = FlowWord::shear;
-  table.read("kind", word, flow_names);
-  const std::string name = name_of(flow_names, word);
-  table.check_keys(flow_keys.of(name), flow_keys.all(), fmt::format("kind = \"{}\"", name));
-  flow = read_flow_of(table, word);
+  std::string name;
+  table.read("kind", name, flow_names());
+  const auto candidates = kinds_named(name);
+  table.check_keys(
+    flow_keys(*candidates.front()), all_flow_keys(), fmt::format("kind = \"{}\"", name));
+  for (const FlowParameter& parameter : candidates.front()->parameters)
+    if (parameter.required)
+      table.require(parameter.name, wanted(parameter));
+  const FlowKind& kind = read_flow_type(table, candidates);
+  const std::shared_ptr<ImposedFlow> read = kind.make();
+  for (const FlowParameter& parameter : kind.parameters)
+    std::visit(
+      [&](auto member) { read_parameter(table, parameter, (*read).*member); }, parameter.member);
+  flow = read;
 }
 
 void read_gravity(const SceneDocument& document, std::optional<Scene::Gravity>& gravity)
@@ -366,7 +401,8 @@ void read_accuracy(const SceneDocument& document, Scene::Accuracy& accuracy)
 void read_movie(const SceneDocument& document, Scene::Movie& movie)
 {
   const TableReader table(document, "movie");
-  table.check_keys({ "color", "range", "size", "view", "camera", "smooth", "arrows", "edges", "chart" });
+  table.check_keys(
+    { "color", "range", "size", "view", "camera", "smooth", "arrows", "edges", "chart" });
   table.read("color", movie.color, field_names);
   table.read("range", movie.range, any_number);
   if (movie.range && !((*movie.range)[0] < (*movie.range)[1]))

@@ -61,27 +61,6 @@ inline constexpr std::array precision_names{
   NamedChoice{ "single", Scene::Precision::single_precision, false },
 };
 
-/// The scene's `kind` of a flow; "extension" has a `type` as well.
-enum class FlowWord
-{
-  uniform,
-  shear,
-  extension,
-  poiseuille
-};
-
-inline constexpr std::array flow_names{
-  NamedChoice{ "uniform", FlowWord::uniform },
-  NamedChoice{ "shear", FlowWord::shear },
-  NamedChoice{ "extension", FlowWord::extension },
-  NamedChoice{ "poiseuille", FlowWord::poiseuille },
-};
-
-inline constexpr std::array extension_names{
-  NamedChoice{ "planar", Scene::Flow::Kind::planar_extension },
-  NamedChoice{ "axisymmetric", Scene::Flow::Kind::axisymmetric_extension },
-};
-
 inline constexpr std::array shape_kinds{
   ShapeRequest::Kind::sphere,
   ShapeRequest::Kind::prolate,

@@ -1,5 +1,6 @@
 // Writing a Scene as TOML: the inverse of SceneFile.cpp, key by key.
 
+#include "solver/flow/FlowKind.h"
 #include "solver/scene/SceneFile.h"
 #include "solver/scene/SceneNames.h"
 
@@ -154,34 +155,15 @@ void write_membrane(Writer& out, const Scene::Membrane& membrane)
   out.key("incompressible", membrane.incompressible);
 }
 
-void write_flow(Writer& out, const Scene::Flow& flow)
+void write_flow(Writer& out, const ImposedFlow& flow)
 {
-  using Kind = Scene::Flow::Kind;
+  const FlowKind& kind = flow.kind();
   out.table("flow");
-  switch (flow.kind)
-  {
-    case Kind::uniform:
-      out.key("kind", name_of(flow_names, FlowWord::uniform));
-      out.key("velocity", flow.velocity);
-      break;
-    case Kind::shear:
-      out.key("kind", name_of(flow_names, FlowWord::shear));
-      out.key("rate", flow.rate);
-      break;
-    case Kind::planar_extension:
-    case Kind::axisymmetric_extension:
-      out.key("kind", name_of(flow_names, FlowWord::extension));
-      out.key("type", name_of(extension_names, flow.kind));
-      out.key("rate", flow.rate);
-      break;
-    case Kind::poiseuille:
-      out.key("kind", name_of(flow_names, FlowWord::poiseuille));
-      out.key("velocity", flow.speed);
-      out.key("radius", flow.radius);
-      out.key("axis", flow.axis);
-      out.key("center", flow.center);
-      break;
-  }
+  out.key("kind", kind.name);
+  if (!kind.type.empty())
+    out.key("type", kind.type);
+  for (const FlowParameter& parameter : kind.parameters)
+    std::visit([&](auto member) { out.key(parameter.name, flow.*member); }, parameter.member);
 }
 
 void write_gravity(Writer& out, const Scene::Gravity& gravity)

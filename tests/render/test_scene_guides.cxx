@@ -2,6 +2,10 @@
 
 #include "render/SceneGuides.h"
 
+#include "solver/flow/Extension.h"
+#include "solver/flow/Poiseuille.h"
+#include "solver/flow/Shear.h"
+
 #include "vtkMath.h"
 
 #include <gtest/gtest.h>
@@ -25,10 +29,10 @@ std::vector<Point3> arrows_of(const Guide& guide)
   return arrows;
 }
 
-Guide flow_guide(const Scene::Flow& flow)
+Guide flow_guide(std::shared_ptr<const ImposedFlow> flow)
 {
   Scene scene;
-  scene.flow = flow;
+  scene.flow = std::move(flow);
   const auto guides = scene_guides(scene, front);
   EXPECT_EQ(guides.size(), 1u);
   EXPECT_EQ(guides.at(0).label, "flow");
@@ -44,9 +48,7 @@ TEST(SceneGuides, AFluidAtRestHasNone)
 
 TEST(SceneGuides, ShearIsAProfileAlongZ)
 {
-  Scene::Flow flow;
-  flow.rate = -3;
-  const Guide guide = flow_guide(flow);
+  const Guide guide = flow_guide(std::make_shared<Shear>(-3));
   double longest = 0;
   for (const auto& a : guide.arrows)
   {
@@ -61,11 +63,7 @@ TEST(SceneGuides, ShearIsAProfileAlongZ)
 
 TEST(SceneGuides, PoiseuilleIsFastestOnTheAxis)
 {
-  Scene::Flow flow;
-  flow.kind = Scene::Flow::Kind::poiseuille;
-  flow.speed = 2;
-  flow.radius = 5;
-  flow.center = { 1, 2, 3 };
+  const auto flow = std::make_shared<Poiseuille>(2, 5, Vector3::UnitX(), Vector3(1, 2, 3));
   for (const Point3& u : arrows_of(flow_guide(flow)))
   {
     EXPECT_GE(u[0], 0);
@@ -76,10 +74,7 @@ TEST(SceneGuides, PoiseuilleIsFastestOnTheAxis)
 
 TEST(SceneGuides, ExtensionGoesOutAlongXAndInAlongZ)
 {
-  Scene::Flow flow;
-  flow.kind = Scene::Flow::Kind::planar_extension;
-  flow.rate = 1;
-  const Guide guide = flow_guide(flow);
+  const Guide guide = flow_guide(std::make_shared<Extension>(Extension::Type::planar, 1));
   ASSERT_EQ(guide.arrows.size(), 4u);
   for (const auto& a : guide.arrows)
   {

@@ -2,6 +2,7 @@
 
 #include "TemporaryFolder.h"
 
+#include "solver/flow/Uniform.h"
 #include "solver/scene/SceneFile.h"
 #include "tests/solver/support/TestMeshes.h"
 #include "vtkfilters/Filters/MeshConversion.h"
@@ -186,7 +187,7 @@ TEST(ProbeFilter, EveryFlowComesBackFromItsNumbers)
   sphere->SetTriangles(80);
   for (int kind = vtkVesicleForceFilter::AtRest; kind <= vtkVesicleForceFilter::Poiseuille; ++kind)
   {
-    vtkNew<vtkVesicleForceFilter> bare; // no force: the ambient flow is all there is
+    vtkNew<vtkVesicleForceFilter> bare; // no force: the imposed flow is all there is
     bare->SetInputConnection(sphere->GetOutputPort());
     bare->SetBendingRigidity(0);
     bare->IncompressibleOff();
@@ -252,9 +253,7 @@ TEST(ProbeFilter, StreamTracerFollowsTheStreamFunction)
   Scene medium;
   medium.accuracy.basis = Scene::Basis::loop;
   medium.fluid.viscosity = 2;
-  medium.flow.emplace();
-  medium.flow->kind = Scene::Flow::Kind::uniform;
-  medium.flow->velocity = Vector3(0, 0, -1);
+  medium.flow = std::make_shared<Uniform>(Vector3(0, 0, -1));
   add_medium(medium, sphere->GetFieldData());
   vtkNew<vtkVesicleProbeFilter> probe;
   probe->SetInputData(image(33, 3));

@@ -3,6 +3,8 @@
 #include "MeshConversion.h"
 
 #include "solver/Errors.h"
+#include "solver/flow/FlowKinds.h"
+#include "solver/flow/FlowNumbers.h"
 #include "solver/scene/SceneNames.h"
 
 #include "vtkDoubleArray.h"
@@ -13,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace vesicle
@@ -20,25 +23,11 @@ namespace vesicle
 namespace
 {
 
-using Kind = Scene::Flow::Kind;
-
-// Flow_Kind is the index plus 1.
-constexpr std::array kinds{ Kind::uniform, Kind::shear, Kind::planar_extension,
-  Kind::axisymmetric_extension, Kind::poiseuille };
-
-bool has_rate(Kind kind)
+/// Field data of a flow's parameter: "rate" is Flow_Rate.
+std::string array_name(std::string parameter)
 {
-  return kind != Kind::uniform && kind != Kind::poiseuille;
-}
-
-int number_of(Kind kind)
-{
-  return 1 + static_cast<int>(std::find(kinds.begin(), kinds.end(), kind) - kinds.begin());
-}
-
-void add_vector(vtkFieldData* to, const char* name, const Vector3& value)
-{
-  to->AddArray(to_array(name, value.transpose()));
+  parameter[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(parameter[0])));
+  return "Flow_" + parameter;
 }
 
 void read(vtkFieldData* from, const char* name, double* values, int count)
@@ -65,34 +54,16 @@ double read_number(vtkFieldData* from, const char* name)
   return value;
 }
 
-std::optional<Scene::Flow> read_flow(vtkFieldData* from)
+std::shared_ptr<const ImposedFlow> read_flow(vtkFieldData* from)
 {
   const double number = read_number(from, "Flow_Kind");
-  if (number == 0)
-  {
-    return {};
-  }
-  const int kind = static_cast<int>(number);
-  if (kind != number || kind < 0 || kind > static_cast<int>(kinds.size()))
-  {
-    throw InputError(fmt::format(
-      "the surface's field data Flow_Kind is {}; there are 0 to {}", number, kinds.size()));
-  }
-  double rate = 0, radius = 1, velocity[3] = {}, center[3] = {};
-  if (has_rate(kinds[kind - 1]))
-  {
-    rate = read_number(from, "Flow_Rate");
-  }
-  else
-  {
-    read(from, "Flow_Velocity", velocity, 3);
-  }
-  if (kinds[kind - 1] == Kind::poiseuille)
-  {
-    radius = read_number(from, "Flow_Radius");
-    read(from, "Flow_Center", center, 3);
-  }
-  return make_flow(kind, rate, velocity, radius, center);
+  const auto kinds = static_cast<int>(flow_kinds().size());
+  if (!(number >= 0 && number <= kinds && number == std::floor(number)))
+    throw InputError(
+      fmt::format("the surface's field data Flow_Kind is {}; there are 0 to {}", number, kinds));
+  return flow_of(static_cast<int>(number),
+    [&](const std::string& parameter, std::span<double> values)
+    { read(from, array_name(parameter).c_str(), values.data(), static_cast<int>(values.size())); });
 }
 
 }
@@ -127,26 +98,13 @@ void add_medium(const Scene& scene, vtkFieldData* to)
 {
   add_number(to, "Viscosity", scene.fluid.viscosity);
   add_number(to, "Surface_Basis", scene.accuracy.basis == Scene::Basis::loop);
-  add_number(to, "Flow_Kind", scene.flow ? number_of(scene.flow->kind) : 0);
+  add_number(to, "Flow_Kind", scene.flow ? number_of(scene.flow->kind()) : 0);
   if (!scene.flow)
-  {
     return;
-  }
-  const Scene::Flow& flow = *scene.flow;
-  if (has_rate(flow.kind))
-  {
-    add_number(to, "Flow_Rate", flow.rate);
-  }
-  else if (flow.kind == Kind::uniform)
-  {
-    add_vector(to, "Flow_Velocity", flow.velocity);
-  }
-  else
-  {
-    add_vector(to, "Flow_Velocity", flow.speed * flow.axis);
-    add_number(to, "Flow_Radius", flow.radius);
-    add_vector(to, "Flow_Center", flow.center);
-  }
+  for (const FlowNumbers& numbers : numbers_of(*scene.flow))
+    to->AddArray(to_array(array_name(numbers.name).c_str(),
+      Eigen::Map<const Eigen::RowVectorXd>(
+        numbers.values.data(), static_cast<Eigen::Index>(numbers.values.size()))));
 }
 
 Scene read_medium(vtkFieldData* from)
@@ -161,27 +119,6 @@ Scene read_medium(vtkFieldData* from)
     read_number(from, "Surface_Basis") == 0 ? Scene::Basis::linear : Scene::Basis::loop;
   scene.flow = read_flow(from);
   return scene;
-}
-
-std::optional<Scene::Flow> make_flow(
-  int kind, double rate, const double velocity[3], double radius, const double center[3])
-{
-  if (kind == 0)
-  {
-    return {};
-  }
-  Scene::Flow flow;
-  flow.kind = kinds.at(kind - 1);
-  flow.rate = rate;
-  flow.velocity = Eigen::Map<const Vector3>(velocity);
-  flow.speed = flow.velocity.norm();
-  if (flow.speed > 0)
-  {
-    flow.axis = flow.velocity / flow.speed;
-  }
-  flow.radius = radius;
-  flow.center = Eigen::Map<const Vector3>(center);
-  return flow;
 }
 
 }

@@ -28,18 +28,14 @@ VESICLEFILTERS_EXPORT void add_fields(
 /// Field data of one tuple.
 VESICLEFILTERS_EXPORT void add_number(vtkFieldData* to, const char* name, double value);
 
-/// The scene's medium as field data: Viscosity; Surface_Basis, 0 linear, 1 Loop; Flow_Kind (0 at
-/// rest, 1 uniform, 2 shear, 3 planar extension, 4 axisymmetric extension, 5 Poiseuille) and, as
-/// far as the kind has them, Flow_Rate, Flow_Velocity (three components; Poiseuille's on the axis),
-/// Flow_Radius, Flow_Center.
+/// The scene's medium as field data: Viscosity; Surface_Basis, 0 linear, 1 Loop; Flow_Kind, 0 at
+/// rest or the number of a kind (flow/FlowKinds.h), and the numbers of the flow
+/// (flow/FlowNumbers.h): Flow_Rate, Flow_Velocity (three components; Poiseuille's on the axis),
+/// Flow_Radius, Flow_Center, as far as the kind has them.
 VESICLEFILTERS_EXPORT void add_medium(const Scene& scene, vtkFieldData* to);
 
 /// What add_medium wrote; nothing else of the scene is set. Throws InputError naming the array that
 /// is missing or makes no sense.
 VESICLEFILTERS_EXPORT Scene read_medium(vtkFieldData* from);
-
-/// A flow by the number of its kind, as above.
-VESICLEFILTERS_EXPORT std::optional<Scene::Flow> make_flow(
-  int kind, double rate, const double velocity[3], double radius, const double center[3]);
 
 }

@@ -4,7 +4,6 @@
 #include "SceneNumbers.h"
 
 #include "solver/Errors.h"
-#include "solver/stokes/AmbientFlow.h"
 #include "solver/stokes/MembraneFlow.h"
 
 #include "vtkCellData.h"
@@ -120,7 +119,7 @@ public:
     flow.velocity /= this->Medium.fluid.viscosity;
     if (this->Medium.flow)
     {
-      flow.velocity += vesicle::ambient_velocity(*this->Medium.flow, points);
+      flow.velocity += this->Medium.flow->velocities(points);
     }
     return flow;
   }

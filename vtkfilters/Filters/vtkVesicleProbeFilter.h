@@ -9,7 +9,7 @@
  * nothing but a file of the series is needed. Through vtkStreamTracer, a probed image becomes
  * streamlines.
  *
- * The velocity is that of the ambient flow and the forces on the fluid, in the units of the source:
+ * The velocity is that of the imposed flow and the forces on the fluid, in the units of the source:
  * u(x) = u∞(x) + (1/8πμ) ∮ G(x, y) f(y) dS(y), the Stokes flow of the same viscosity on both sides.
  * It holds up to the membrane and on it: near the membrane the integral is computed by a quadrature
  * made for each point (relative error 1e-7 at any distance), and the error is that of the surface

@@ -3,8 +3,13 @@
 #include "SceneNumbers.h"
 
 #include "solver/Errors.h"
+#include "solver/flow/FlowKinds.h"
+#include "solver/flow/FlowNumbers.h"
 
+#include <algorithm>
 #include <array>
+#include <map>
+#include <string>
 
 namespace
 {
@@ -15,8 +20,11 @@ using vesicle::Scene;
 constexpr std::array presets{ Scene::Preset::paper, Scene::Preset::fast, Scene::Preset::balanced,
   Scene::Preset::accurate };
 constexpr const char* preset_names[] = { "paper", "fast", "balanced", "accurate" };
-constexpr const char* flow_names[] = { "at rest", "uniform", "shear", "planar extension",
-  "axisymmetric extension", "Poiseuille" };
+
+std::string flow_title(int kind)
+{
+  return kind == 0 ? "at rest" : vesicle::flow_kinds().at(kind - 1)->title;
+}
 
 void require(bool condition, const char* what)
 {
@@ -43,8 +51,7 @@ Scene vtkVesicleSceneAlgorithm::MakeScene()
   }
   scene.membrane.incompressible = this->Incompressible;
   scene.fluid.viscosity = this->Viscosity;
-  scene.flow = vesicle::make_flow(
-    this->FlowKind, this->FlowRate, this->FlowVelocity, this->FlowRadius, this->FlowCenter);
+  scene.flow = this->MakeFlow();
   if (this->BondNumber != 0)
   {
     scene.gravity.emplace().bond_number = this->BondNumber;
@@ -56,6 +63,16 @@ Scene vtkVesicleSceneAlgorithm::MakeScene()
   return scene;
 }
 
+std::shared_ptr<const vesicle::ImposedFlow> vtkVesicleSceneAlgorithm::MakeFlow()
+{
+  const std::map<std::string, const double*> properties{ { "rate", &this->FlowRate },
+    { "velocity", this->FlowVelocity }, { "radius", &this->FlowRadius },
+    { "center", this->FlowCenter } };
+  return vesicle::flow_of(this->FlowKind,
+    [&](const std::string& parameter, std::span<double> values)
+    { std::copy_n(properties.at(parameter), values.size(), values.begin()); });
+}
+
 void vtkVesicleSceneAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -64,7 +81,7 @@ void vtkVesicleSceneAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BendingRigidity: " << this->BendingRigidity << '\n';
   os << indent << "Incompressible: " << (this->Incompressible ? "on" : "off") << '\n';
   os << indent << "Viscosity: " << this->Viscosity << '\n';
-  os << indent << "FlowKind: " << flow_names[this->FlowKind] << '\n';
+  os << indent << "FlowKind: " << flow_title(this->FlowKind) << '\n';
   os << indent << "FlowRate: " << this->FlowRate << '\n';
   print("FlowVelocity", this->FlowVelocity);
   os << indent << "FlowRadius: " << this->FlowRadius << '\n';

@@ -18,8 +18,11 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #ifndef __VTK_WRAP__
+#include <memory>
+
 namespace vesicle
 {
+struct ImposedFlow;
 struct Scene;
 }
 #endif
@@ -175,6 +178,10 @@ protected:
   int Preset = Balanced;
 
 private:
+#ifndef __VTK_WRAP__
+  std::shared_ptr<const vesicle::ImposedFlow> MakeFlow();
+#endif
+
   vtkVesicleSceneAlgorithm(const vtkVesicleSceneAlgorithm&) = delete;
   void operator=(const vtkVesicleSceneAlgorithm&) = delete;
 };

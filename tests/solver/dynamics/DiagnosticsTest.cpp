@@ -1,5 +1,7 @@
 // What is reported of a state, against what is known of it.
 #include "solver/dynamics/Simulation.h"
+#include "solver/flow/Extension.h"
+#include "solver/flow/Shear.h"
 #include "tests/solver/support/TestMeshes.h"
 
 #include <gtest/gtest.h>
@@ -16,13 +18,11 @@ namespace
 class Reported : public testing::TestWithParam<Scene::Preset>
 {
 protected:
-  Scene in_flow(Scene::Flow::Kind kind, double rate) const
+  Scene in_flow(std::shared_ptr<const ImposedFlow> flow) const
   {
     Scene scene;
     scene.accuracy = Scene::preset(GetParam());
-    scene.flow.emplace();
-    scene.flow->kind = kind;
-    scene.flow->rate = rate;
+    scene.flow = std::move(flow);
     scene.time.end = 1;
     return scene;
   }
@@ -42,7 +42,7 @@ TEST_P(Reported, StressletOfASphereInStrain)
   const double a = 1e-5, mu = 1e-3, rate = 4;
   const auto error = [&](int triangles)
   {
-    Scene scene = in_flow(Scene::Flow::Kind::axisymmetric_extension, rate);
+    Scene scene = in_flow(std::make_shared<Extension>(Extension::Type::axisymmetric, rate));
     scene.fluid.viscosity = mu;
     const TriangleMesh unit = test::smooth_sphere(triangles);
     const Diagnostics d = at_start(scene, { a * unit.points, unit.triangles });
@@ -69,7 +69,7 @@ TEST_P(Reported, StressletOfASphereInStrain)
 // bending, as its implicit part has a small torque.
 TEST_P(Reported, StressletIsThePowerOfTheShear)
 {
-  Scene scene = in_flow(Scene::Flow::Kind::shear, 2);
+  Scene scene = in_flow(std::make_shared<Shear>(2));
   const TriangleMesh mesh = test::mapped(test::smooth_sphere(320),
     [](const Vector3& d) -> Vector3 {
       return { 1.4 * d.x() + 0.3 * d.z(), 1.1 * d.y(), 0.8 * d.z() };

@@ -1,6 +1,7 @@
 // The instantaneous solve, and the flow around the vesicle from what it gives at the vertices.
 #include "solver/dynamics/Simulation.h"
-#include "solver/stokes/AmbientFlow.h"
+#include "solver/flow/Poiseuille.h"
+#include "solver/flow/Shear.h"
 #include "solver/stokes/MembraneFlow.h"
 #include "tests/solver/support/TestMeshes.h"
 
@@ -47,7 +48,7 @@ Points flow_at(const Simulation& simulation, const State& state, const Points& p
     { simulation.points(state), simulation.triangles() }, scene.accuracy.basis, forces);
   Points velocity = field.at(points).velocity / scene.fluid.viscosity;
   if (scene.flow)
-    velocity += ambient_velocity(*scene.flow, points);
+    velocity += scene.flow->velocities(points);
   return velocity;
 }
 
@@ -60,7 +61,7 @@ TEST_P(Instant, IsTheStartOverAVanishingStep)
 {
   Scene s = scene(GetParam());
   s.membrane.bending_rigidity = 1;
-  s.flow.emplace().rate = 2;
+  s.flow = std::make_shared<Shear>(2);
   double difference[2];
   for (int level = 0; level < 2; ++level)
   {
@@ -82,11 +83,7 @@ TEST_P(Instant, ForcesMakeTheVelocityOfTheMembrane)
     Scene s = scene(GetParam());
     s.membrane.bending_rigidity = 2;
     s.fluid.viscosity = 3;
-    auto& flow = s.flow.emplace();
-    flow.kind = Scene::Flow::Kind::poiseuille;
-    flow.speed = 4;
-    flow.radius = 3;
-    flow.center = Vector3(0, 0.3, -0.4);
+    s.flow = std::make_shared<Poiseuille>(4, 3, Vector3::UnitX(), Vector3(0, 0.3, -0.4));
     s.gravity = { {}, 4, 2 };
     const Simulation simulation(
       s, shape(ShapeRequest::Kind::prolate, level == 0 ? 320 : 1280, 0.9));

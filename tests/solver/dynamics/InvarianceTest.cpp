@@ -1,6 +1,7 @@
 // Ten steps of fixed size on a rotated, translated, renumbered or SI-scaled vesicle are the same
 // ten steps.
 #include "solver/dynamics/Simulation.h"
+#include "solver/flow/Shear.h"
 #include "tests/solver/support/TestMeshes.h"
 
 #include <gtest/gtest.h>
@@ -48,8 +49,7 @@ Scene Invariance::rising() const
 Scene Invariance::sheared() const
 {
   Scene scene = rising();
-  scene.flow.emplace();
-  scene.flow->rate = 2;
+  scene.flow = std::make_shared<Shear>(2);
   return scene;
 }
 
@@ -116,7 +116,7 @@ TEST_P(Invariance, SiUnits)
   Scene si = sheared();
   si.membrane.bending_rigidity = EB;
   si.fluid.viscosity = mu;
-  si.flow->rate = 2 / t0;
+  si.flow = std::make_shared<Shear>(2 / t0);
   si.time.end = t0;
   si.time.step = 0.01 * t0;
   const TriangleMesh small{ mesh.points / size * r0, mesh.triangles };

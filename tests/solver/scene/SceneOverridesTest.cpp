@@ -1,4 +1,5 @@
 #include "solver/Errors.h"
+#include "solver/flow/Shear.h"
 #include "solver/scene/SceneFile.h"
 
 #include <gtest/gtest.h>
@@ -42,13 +43,18 @@ std::string error_with(const std::vector<std::string>& overrides)
   return "no error";
 }
 
+double rate_of(const Scene& scene)
+{
+  return dynamic_cast<const Shear&>(*scene.flow).rate;
+}
+
 }
 
 TEST(SceneOverrides, ReplaceAndAdd)
 {
   const Scene scene = with({ "flow.rate=2.5", "time.end=steady", "fluid.viscosity=3",
     "vesicle.axis=[1, 0, 1]", "membrane.incompressible=false", "name=other" });
-  EXPECT_EQ(scene.flow->rate, 2.5);
+  EXPECT_EQ(rate_of(scene), 2.5);
   EXPECT_FALSE(scene.time.end);
   EXPECT_EQ(scene.fluid.viscosity, 3);
   EXPECT_EQ(scene.vesicle.axis, Vector3(1, 0, 1).normalized());
@@ -58,7 +64,7 @@ TEST(SceneOverrides, ReplaceAndAdd)
 
 TEST(SceneOverrides, LaterOnesWin)
 {
-  EXPECT_EQ(with({ "flow.rate=2", "flow.rate=4" }).flow->rate, 4);
+  EXPECT_EQ(rate_of(with({ "flow.rate=2", "flow.rate=4" })), 4);
 }
 
 TEST(SceneOverrides, WordsNeedNoQuotes)

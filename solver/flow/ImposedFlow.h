@@ -1,0 +1,48 @@
+#pragma once
+// The imposed (background) flow u∞: the fluid's velocity as if there were no vesicle.
+
+#include "solver/mesh/TriangleMesh.h"
+
+#include <memory>
+#include <optional>
+
+namespace vesicle
+{
+
+struct FlowKind;
+
+/// Base of the kinds of flow, each in a file of its own and in the list of FlowKinds.cpp. A flow is
+/// plain data, the members that its kind declares as parameters, in any consistent units.
+struct ImposedFlow
+{
+  virtual ~ImposedFlow() = default;
+
+  /// What a flow of this kind is called and which parameters it has.
+  virtual const FlowKind& kind() const = 0;
+
+  /// u∞ at x, in the units of the flow; ∇·u∞ = 0.
+  virtual Vector3 velocity_at(const Vector3& x) const = 0;
+
+  /// How fast it deforms or turns a vesicle of radius 1, for the choice of time steps: ≥ 0, and 0
+  /// for a uniform flow.
+  virtual double imposed_rate() const = 0;
+
+  /// A unidirectional flow whose velocity varies along a line across it.
+  struct Profile
+  {
+    Vector3 center;
+    std::optional<Vector3> across; ///< unit; empty: any direction normal to `along`
+    Vector3 along;                 ///< unit, the direction of the flow
+    double half_width;             ///< a distance over which the velocity shows its variation
+  };
+  /// Empty where the flow isn't one. Drawings use it.
+  virtual std::optional<Profile> profile() const { return {}; }
+
+  /// u∞ at the points: N by 3.
+  Points velocities(const Points& points) const;
+
+  /// The same flow with lengths divided by `length` and velocities by `velocity`.
+  std::shared_ptr<const ImposedFlow> dimensionless(double length, double velocity) const;
+};
+
+}
