@@ -6,8 +6,10 @@
 
 #include "vtkfilters/Filters/MeshConversion.h"
 #include "vtkfilters/Filters/MeshFiles.h"
+#include "vtkfilters/Filters/SceneNumbers.h"
 #include "vtkfilters/Filters/SeriesFile.h"
 
+#include "vtkFieldData.h"
 #include "vtkPolyData.h"
 
 #include <CLI/CLI.hpp>
@@ -29,9 +31,10 @@ struct InfoOptions
 
 MeshReport report_of(const std::filesystem::path& file)
 {
-  const TriangleMesh mesh = to_mesh(read_mesh(file));
+  const auto surface = read_mesh(file);
+  const TriangleMesh mesh = to_mesh(surface);
   check_indices(mesh, file.string());
-  return MeshReport(mesh);
+  return MeshReport(mesh, surface_basis(surface->GetFieldData()));
 }
 
 void print_mesh(const InfoOptions& options)
@@ -51,8 +54,9 @@ void print_series(const InfoOptions& options)
   auto all = nlohmann::ordered_json::array();
   if (!options.json)
   {
-    fmt::print("{:>12} {:>10} {:>14} {:>14} {:>14} {:>12} {:>10} {:>10}\n", "time", "triangles",
-      "area", "volume", "reduced volume", "E/8piEB", "min angle", "edge ratio");
+    fmt::print("{:>12} {:>10} {:>14} {:>14} {:>14} {:>12} {:>10} {:>10} {:>8}\n", "time",
+      "triangles", "area", "volume", "reduced volume", "E/8piEB", "min angle", "edge ratio",
+      "surface");
   }
   for (const auto& frame : read_series(options.file))
   {
@@ -66,9 +70,9 @@ void print_series(const InfoOptions& options)
     }
     const auto cell = [](std::optional<double> value)
     { return value ? fmt::format("{:.8g}", *value) : std::string("-"); };
-    fmt::print("{:>12.6g} {:>10} {:>14.8g} {:>14} {:>14} {:>12} {:>10.2f} {:>10.3f}\n", frame.time,
-      r.triangles, r.area, cell(r.volume), cell(r.reduced_volume), cell(r.energy_over_8pi),
-      r.quality.min_angle_deg, r.quality.edge_ratio);
+    fmt::print("{:>12.6g} {:>10} {:>14.8g} {:>14} {:>14} {:>12} {:>10.2f} {:>10.3f} {:>8}\n",
+      frame.time, r.triangles, r.area, cell(r.volume), cell(r.reduced_volume),
+      cell(r.energy_over_8pi), r.quality.min_angle_deg, r.quality.edge_ratio, surface_name(r));
   }
   if (options.json)
   {

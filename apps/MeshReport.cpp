@@ -1,6 +1,7 @@
 #include "apps/MeshReport.h"
 
-#include "solver/membrane/Bending.h"
+#include "solver/dynamics/SurfaceMeasures.h"
+#include "solver/scene/SceneNames.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -24,13 +25,6 @@ long used_vertices(const TriangleMesh& mesh)
   return used;
 }
 
-double energy_over_8pi(const TriangleMesh& mesh)
-{
-  const CotanGeometry geometry(mesh.points, mesh.triangles);
-  const auto curvature = cotan_curvature(geometry, mesh.points, NormalScheme::area_weighted);
-  return bending_energy(geometry, curvature) / (8 * std::numbers::pi);
-}
-
 /// null where there is no finite number: JSON has none other.
 nlohmann::ordered_json number(std::optional<double> value)
 {
@@ -44,16 +38,24 @@ std::string text(std::optional<double> value)
 
 }
 
-MeshReport::MeshReport(const TriangleMesh& mesh)
+MeshReport::MeshReport(const TriangleMesh& mesh, SurfaceBasis wanted)
   : vertices(used_vertices(mesh)), triangles(mesh.triangles.rows()),
-    topology(vesicle::topology(mesh)), quality(mesh_quality(mesh)), area(flat_area(mesh))
+    topology(vesicle::topology(mesh)), quality(mesh_quality(mesh))
 {
-  if (topology.closed && topology.oriented)
+  if (!topology.closed || !topology.oriented)
   {
-    volume = flat_volume(mesh);
-    reduced_volume = vesicle::reduced_volume(area, std::abs(*volume));
-    energy_over_8pi = vesicle::energy_over_8pi(mesh);
+    area = flat_area(mesh);
+    return;
   }
+  if (topology.manifold && vertices == mesh.points.rows())
+  {
+    basis = wanted;
+  }
+  const SurfaceMeasures measures = surface_measures(basis, mesh);
+  area = measures.area;
+  volume = measures.volume;
+  reduced_volume = vesicle::reduced_volume(area, std::abs(*volume));
+  energy_over_8pi = measures.bending_energy / (8 * std::numbers::pi);
 }
 
 nlohmann::ordered_json to_json(const MeshReport& r)
@@ -65,7 +67,12 @@ nlohmann::ordered_json to_json(const MeshReport& r)
     { "reduced_volume", number(r.reduced_volume) },
     { "energy_over_8pi", number(r.energy_over_8pi) },
     { "min_angle_deg", number(r.quality.min_angle_deg) },
-    { "edge_ratio", number(r.quality.edge_ratio) } };
+    { "edge_ratio", number(r.quality.edge_ratio) }, { "basis", name_of(basis_names, r.basis) } };
+}
+
+std::string surface_name(const MeshReport& r)
+{
+  return r.basis == SurfaceBasis::loop ? "Loop" : "flat";
 }
 
 std::string to_text(const MeshReport& r)
@@ -77,6 +84,7 @@ std::string to_text(const MeshReport& r)
                      "  oriented         {}\n"
                      "  components       {}\n"
                      "  genus            {}\n"
+                     "  surface          {}\n"
                      "  area             {:.8g}\n"
                      "  volume           {}\n"
                      "  reduced volume   {}\n"
@@ -85,8 +93,8 @@ std::string to_text(const MeshReport& r)
                      "  edge ratio       {:.3f}\n",
     r.vertices, r.triangles, r.topology.closed ? "yes" : "no",
     r.topology.oriented ? (inward ? "yes, inward" : "yes") : "no", r.topology.components,
-    r.topology.genus, r.area, text(r.volume), text(r.reduced_volume), text(r.energy_over_8pi),
-    r.quality.min_angle_deg, r.quality.edge_ratio);
+    r.topology.genus, surface_name(r), r.area, text(r.volume), text(r.reduced_volume),
+    text(r.energy_over_8pi), r.quality.min_angle_deg, r.quality.edge_ratio);
 }
 
 }

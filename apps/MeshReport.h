@@ -1,6 +1,7 @@
 #pragma once
 // What `vesicle info` says of a mesh.
 
+#include "solver/surface/SurfaceBasis.h"
 #include "solver/mesh/MeshQuality.h"
 #include "solver/mesh/TriangleMesh.h"
 
@@ -14,12 +15,16 @@ namespace vesicle
 
 struct MeshReport
 {
-  explicit MeshReport(const TriangleMesh& mesh);
+  /// Loop's surface takes a closed, oriented, manifold mesh without loose points; of others the
+  /// flat triangles are measured.
+  MeshReport(const TriangleMesh& mesh, SurfaceBasis basis);
 
   long vertices = 0; ///< those that a triangle uses
   long triangles = 0;
   Topology topology;
-  MeshQuality quality;
+  MeshQuality quality; ///< of the triangles
+  /// The surface that the following was measured on.
+  SurfaceBasis basis = SurfaceBasis::linear;
   double area = 0;
   std::optional<double> volume;         ///< of a closed, oriented mesh; negative if it faces inward
   std::optional<double> reduced_volume; ///< of |volume|
@@ -28,6 +33,7 @@ struct MeshReport
 
 /// The keys of the output contract; null where undefined.
 nlohmann::ordered_json to_json(const MeshReport& report);
+std::string surface_name(const MeshReport& report); ///< flat or Loop
 std::string to_text(const MeshReport& report);
 
 }

@@ -3,10 +3,12 @@
 #include "apps/Commands.h"
 #include "apps/MeshReport.h"
 
-#include "solver/mesh/shapes/Shapes.h"
+#include "solver/dynamics/StartShape.h"
 #include "vtkfilters/Filters/MeshConversion.h"
 #include "vtkfilters/Filters/MeshFiles.h"
+#include "vtkfilters/Filters/SceneNumbers.h"
 
+#include "vtkFieldData.h"
 #include "vtkPolyData.h"
 
 #include <CLI/CLI.hpp>
@@ -24,6 +26,7 @@ struct ShapeOptions
   std::string kind;
   ShapeRequest request;
   double reduced_volume = 0;
+  std::string basis = "loop";
   std::vector<double> modes; ///< l, m, amplitude one after the other
   std::string file;
 };
@@ -42,9 +45,13 @@ int make(ShapeOptions options, bool with_reduced_volume)
   }
   const std::string file = options.file.empty() ? options.kind + ".vtu" : options.file;
   require_mesh_ending(file);
-  const TriangleMesh mesh = make_shape(options.request);
-  write_mesh(to_polydata(mesh), file);
-  fmt::print("{}\n{}", file, to_text(MeshReport(mesh)));
+  const auto basis = options.basis == "linear" ? SurfaceBasis::linear : SurfaceBasis::loop;
+  const TriangleMesh mesh = make_start_shape(options.request, basis);
+  const MeshReport report(mesh, basis);
+  const auto surface = to_polydata(mesh);
+  add_surface(basis, *report.reduced_volume, surface->GetFieldData());
+  write_mesh(surface, file);
+  fmt::print("{}\n{}", file, to_text(report));
   return exit_code::done;
 }
 
@@ -58,7 +65,14 @@ void add_shape_command(CLI::App& app, Action& action)
   command->add_option("kind", options->kind, "sphere prolate oblate ellipsoid discocyte perturbed")
     ->required();
   auto* reduced = command->add_option("--reduced-volume", options->reduced_volume,
-    "6 sqrt(pi) V / A^(3/2) of the mesh, 1 for a sphere");
+    "6 sqrt(pi) V / A^(3/2) of the surface, 1 for a sphere");
+  command
+    ->add_option("--basis", options->basis,
+      "The surface that the mesh stands for: loop, the smooth one through its points, or linear, "
+      "its "
+      "flat triangles (as the presets fast and paper have it)")
+    ->check(CLI::IsMember({ "linear", "loop" }))
+    ->capture_default_str();
   command
     ->add_option("--triangles", options->request.triangles,
       "Met exactly if a multiple of 10 or 12 (above 2,000 of 40 or 48), else the nearest")

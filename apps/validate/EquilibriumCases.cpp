@@ -5,6 +5,7 @@
 #include "apps/validate/Data.h"
 #include "apps/validate/History.h"
 #include "apps/validate/Stomatocyte.h"
+#include "solver/dynamics/StartMesh.h"
 
 #include "solver/state/Table.h"
 

@@ -2,6 +2,7 @@
 
 #include "apps/Progress.h"
 #include "apps/validate/Data.h"
+#include "solver/dynamics/StartMesh.h"
 
 #include "solver/scene/SceneFile.h"
 

@@ -4,6 +4,7 @@
 #include "apps/validate/History.h"
 
 #include "solver/dynamics/Discretization.h"
+#include "solver/dynamics/StartMesh.h"
 #include "solver/mesh/remesh/Resample.h"
 #include "solver/mesh/shapes/Shapes.h"
 #include "solver/mesh/shapes/SampleMeshes.h"

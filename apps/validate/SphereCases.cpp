@@ -2,6 +2,7 @@
 
 #include "apps/validate/Cases.h"
 #include "apps/validate/History.h"
+#include "solver/dynamics/StartMesh.h"
 
 #include <fmt/format.h>
 

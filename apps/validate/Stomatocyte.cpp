@@ -1,6 +1,6 @@
 #include "apps/validate/Stomatocyte.h"
 
-#include "solver/dynamics/Simulation.h"
+#include "solver/dynamics/SurfaceMeasures.h"
 #include "solver/mesh/shapes/Remesh.h"
 
 #include <algorithm>
@@ -51,13 +51,13 @@ SphereImage bowl(double h)
 }
 
 /// The half thickness with the reduced volume v above fixed directions: the thicker, the rounder.
-double solve_thickness(const Scene& scene, const SphereMesh& directions, double v)
+double solve_thickness(SurfaceBasis basis, const SphereMesh& directions, double v)
 {
   double low = 0.02, high = 0.6;
   for (int step = 0; step < 60 && high - low > 1e-9; ++step)
   {
     const double h = (low + high) / 2;
-    const SurfaceMeasures m = surface_measures(scene, surface_mesh(bowl(h), directions));
+    const SurfaceMeasures m = surface_measures(basis, surface_mesh(bowl(h), directions));
     (reduced_volume(m.area, m.volume) > v ? high : low) = h;
   }
   return (low + high) / 2;
@@ -67,15 +67,16 @@ double solve_thickness(const Scene& scene, const SphereMesh& directions, double 
 
 TriangleMesh stomatocyte(const Scene& scene, double v)
 {
+  const SurfaceBasis basis = scene.accuracy.basis;
   double h = v / 2; // nearly, of such shells
   SphereMesh directions;
   for (int sweep = 0; sweep < 2; ++sweep)
   {
     directions = uniform_mesh(bowl(h), scene.vesicle.shape.triangles, Symmetry::none);
-    h = solve_thickness(scene, directions, v);
+    h = solve_thickness(basis, directions, v);
   }
   TriangleMesh mesh = surface_mesh(bowl(h), directions);
-  mesh.points *= std::cbrt(4 * std::numbers::pi / (3 * surface_measures(scene, mesh).volume));
+  mesh.points /= equivalent_radius(surface_measures(basis, mesh).volume);
   return mesh;
 }
 

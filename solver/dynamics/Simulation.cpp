@@ -2,7 +2,9 @@
 
 #include "solver/Errors.h"
 #include "solver/dynamics/Observables.h"
+#include "solver/dynamics/StartMesh.h"
 #include "solver/dynamics/Stepper.h"
+#include "solver/dynamics/SurfaceMeasures.h"
 #include "solver/mesh/MeshQuality.h"
 
 #include <fmt/format.h>
@@ -29,8 +31,7 @@ constexpr double steady_speed = 2e-3;
 
 Scales make_scales(const Scene& scene, const TriangleMesh& mesh)
 {
-  const double volume = surface_measures(scene, mesh).volume;
-  return { std::cbrt(3 * volume / (4 * std::numbers::pi)),
+  return { equivalent_radius(surface_measures(scene.accuracy.basis, mesh).volume),
     scene.membrane.bending_rigidity.value_or(1), scene.fluid.viscosity };
 }
 

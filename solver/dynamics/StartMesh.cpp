@@ -1,6 +1,8 @@
-#include "solver/dynamics/Simulation.h"
+#include "solver/dynamics/StartMesh.h"
 
 #include "solver/dynamics/Discretization.h"
+#include "solver/dynamics/StartShape.h"
+#include "solver/dynamics/SurfaceMeasures.h"
 #include "solver/surface/LoopBasis.h"
 #include "solver/membrane/SurfaceBending.h"
 #include "solver/mesh/remesh/Resample.h"
@@ -16,8 +18,6 @@ namespace vesicle
 namespace
 {
 
-constexpr double reduced_volume_tolerance = 1e-7;
-constexpr int max_corrections = 12;
 // A disagreement of the energy that makes a mesh too rough for a Loop surface.
 constexpr double rough_energy = 0.01;
 
@@ -30,52 +30,16 @@ Eigen::Matrix3d orientation(const Scene::Vesicle& vesicle)
     return Eigen::AngleAxisd(degrees * std::numbers::pi / 180, Vector3(x, y, z).normalized())
       .toRotationMatrix();
   }
-  return Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), vesicle.axis).toRotationMatrix();
+  return turn_z_to(vesicle.axis);
 }
 
-}
-
-SurfaceMeasures surface_measures(const Scene& scene, const TriangleMesh& mesh)
-{
-  if (scene.accuracy.basis == Scene::Basis::linear)
-    return { flat_area(mesh), flat_volume(mesh) };
-  const auto surface = make_loop_discretization(
-    Model(), mesh.triangles, static_cast<int>(mesh.points.rows()), scene.accuracy.quadrature);
-  const Constraints c = surface->constraints(mesh.points);
-  return { c.area, c.volume };
-}
-
-// The shape whose surface, in the scene's basis, has the reduced volume asked for and r0 = 1.
-// make_shape gives it to the flat triangles; for another basis the request is shifted until it
-// holds there (the difference hardly depends on the request, so a few corrections do).
-static TriangleMesh shape_on_surface(const Scene& scene)
-{
-  ShapeRequest request = scene.vesicle.shape;
-  TriangleMesh mesh = make_shape(request);
-  if (scene.accuracy.basis == Scene::Basis::linear)
-    return mesh;
-  SurfaceMeasures measures = surface_measures(scene, mesh);
-  const auto wanted = scene.vesicle.shape.reduced_volume;
-  const bool adjustable = wanted && request.kind != ShapeRequest::Kind::sphere;
-  for (int sweep = 0; adjustable && sweep < max_corrections; ++sweep)
-  {
-    const double error = *wanted - reduced_volume(measures.area, measures.volume);
-    if (std::abs(error) < reduced_volume_tolerance)
-      break;
-    *request.reduced_volume += error;
-    mesh = make_shape(request);
-    measures = surface_measures(scene, mesh);
-  }
-  mesh.points *= std::cbrt(4 * std::numbers::pi / (3 * measures.volume));
-  return mesh;
 }
 
 TriangleMesh make_start_mesh(const Scene& scene)
 {
-  TriangleMesh mesh = shape_on_surface(scene);
-  mesh.points =
-    (scene.vesicle.radius * mesh.points * orientation(scene.vesicle).transpose()).eval();
-  mesh.points.rowwise() += scene.vesicle.center.transpose();
+  const Scene::Vesicle& vesicle = scene.vesicle;
+  TriangleMesh mesh = make_start_shape(vesicle.shape, scene.accuracy.basis);
+  place(mesh, vesicle.radius, orientation(vesicle), vesicle.center);
   return mesh;
 }
 
@@ -139,8 +103,8 @@ TriangleMesh place_start_mesh(const Scene& scene, TriangleMesh mesh, std::string
   mesh.points.rowwise() -= center.transpose();
   if (scene.vesicle.mesh_radius)
   {
-    const double r0 = std::cbrt(3 * surface_measures(scene, mesh).volume / (4 * std::numbers::pi));
-    mesh.points *= *scene.vesicle.mesh_radius / r0;
+    const double volume = surface_measures(scene.accuracy.basis, mesh).volume;
+    mesh.points *= *scene.vesicle.mesh_radius / equivalent_radius(volume);
   }
   if (scene.vesicle.rotation)
     mesh.points = (mesh.points * orientation(scene.vesicle).transpose()).eval();

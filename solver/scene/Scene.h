@@ -4,6 +4,7 @@
 
 #include "solver/flow/ImposedFlow.h"
 #include "solver/mesh/shapes/Shapes.h"
+#include "solver/surface/SurfaceBasis.h"
 
 #include <array>
 #include <filesystem>
@@ -69,11 +70,7 @@ struct Scene
     balanced,
     accurate
   };
-  enum class Basis
-  {
-    linear,
-    loop
-  };
+  using Basis = SurfaceBasis;
   enum class Bending
   {
     cotan,

@@ -1,7 +1,9 @@
 #include "Command.h"
 
+#include "vtkfilters/Filters/MeshConversion.h"
 #include "vtkfilters/Filters/MeshFiles.h"
 
+#include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -30,8 +32,8 @@ TEST(Help, IsThereForAllWithAnExample)
 {
   const TemporaryFolder folder;
   const std::vector<std::vector<std::string>> commands{ { "--help" }, { "run", "--help" },
-    { "shape", "--help" }, { "curvature", "--help" }, { "info", "--help" },
-    { "render", "--help" }, { "validate", "--help" } };
+    { "shape", "--help" }, { "curvature", "--help" }, { "info", "--help" }, { "render", "--help" },
+    { "validate", "--help" } };
   for (const auto& arguments : commands)
   {
     const auto outcome = vesicle_command(folder.path(), arguments);
@@ -58,9 +60,11 @@ TEST(Shape, HasWhatWasAskedFor)
 {
   const TemporaryFolder folder;
   const auto outcome = vesicle_command(folder.path(),
-    { "shape", "oblate", "--reduced-volume", "0.8", "--triangles", "320", "-o", "disc.stl" });
+    { "shape", "oblate", "--reduced-volume", "0.8", "--triangles", "320", "--basis", "linear", "-o",
+      "disc.stl" });
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
   const Json report = info(folder.path(), "disc.stl");
+  EXPECT_EQ(report["basis"], "linear");
   EXPECT_EQ(report["vertices"], 162);
   EXPECT_EQ(report["triangles"], 320);
   EXPECT_EQ(report["closed"], true);
@@ -72,6 +76,33 @@ TEST(Shape, HasWhatWasAskedFor)
   {
     EXPECT_GT(report[key].get<double>(), 0) << key;
   }
+}
+
+TEST(Shape, FilesWithFieldDataSayWhichSurfaceHasTheReducedVolume)
+{
+  const TemporaryFolder folder;
+  for (const std::string basis : { "loop", "linear" })
+  {
+    for (const std::string file : { "disc.vtu", "disc.vtp", "disc.vtk" })
+    {
+      const auto outcome = vesicle_command(folder.path(),
+        { "shape", "discocyte", "--reduced-volume", "0.7", "--basis", basis, "-o", file });
+      ASSERT_EQ(outcome.code, 0) << outcome.errors;
+      const Json report = info(folder.path(), file);
+      EXPECT_EQ(report["basis"], basis) << file;
+      EXPECT_NEAR(report["reduced_volume"].get<double>(), 0.7, 1e-6) << file;
+    }
+  }
+}
+
+TEST(Shape, IsOnLoopsSurfaceUnlessToldOtherwise)
+{
+  const TemporaryFolder folder;
+  const auto outcome =
+    vesicle_command(folder.path(), { "shape", "oblate", "--reduced-volume", "0.8" });
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_NE(outcome.output.find("surface          Loop\n"), std::string::npos) << outcome.output;
+  EXPECT_EQ(info(folder.path(), "oblate.vtu")["basis"], "loop");
 }
 
 TEST(Shape, NowhereToWriteIsFour)
@@ -90,6 +121,22 @@ TEST(Info, UndefinedNumbersAreNull)
   EXPECT_TRUE(report["volume"].is_null());
   EXPECT_TRUE(report["energy_over_8pi"].is_null());
   EXPECT_DOUBLE_EQ(report["area"].get<double>(), 1);
+}
+
+// A frame that was cut open has no Loop surface.
+TEST(Info, MeasuresTheTrianglesWhereThereIsNoLoopSurface)
+{
+  const TemporaryFolder folder;
+  ASSERT_EQ(vesicle_command(folder.path(), { "shape", "sphere", "-o", "sphere.vtp" }).code, 0);
+  const auto sphere = read_mesh(folder / "sphere.vtp");
+  TriangleMesh mesh = to_mesh(sphere);
+  mesh.triangles = mesh.triangles.bottomRows(mesh.triangles.rows() - 1).eval();
+  const auto open = to_polydata(mesh);
+  open->GetFieldData()->ShallowCopy(sphere->GetFieldData());
+  write_mesh(open, folder / "open.vtp");
+  const Json report = info(folder.path(), "open.vtp");
+  EXPECT_EQ(report["basis"], "linear");
+  EXPECT_TRUE(report["volume"].is_null());
 }
 
 TEST(Curvature, WritesTheArraysAndTellsOfBorders)

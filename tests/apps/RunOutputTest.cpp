@@ -20,6 +20,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 namespace vesicle::test
 {
@@ -43,9 +44,9 @@ protected:
   void SetUp() override { ASSERT_EQ(outcome.code, 0) << outcome.errors; }
 
   static std::filesystem::path file(const std::string& name) { return *folder / ("pear/" + name); }
-  static std::vector<std::vector<std::string>> table()
+  static std::vector<std::vector<std::string>> table(const std::string& run = "pear")
   {
-    std::istringstream text(bytes_of(file("pear.csv")));
+    std::istringstream text(bytes_of(*folder / (run + "/pear.csv")));
     std::vector<std::vector<std::string>> rows;
     for (std::string line; std::getline(text, line);)
     {
@@ -94,6 +95,42 @@ TEST_F(RunOutput, FramesAreAtOutputTimesAndInTheTable)
         [&](const auto& row) { return std::stod(row[1]) == frames[i].time; }));
       EXPECT_TRUE(std::filesystem::exists(frames[i].file));
     }
+  }
+}
+
+// Frames hold the points to the last bit; only the unit of the curvature differs, in rounding.
+TEST_F(RunOutput, InfoMeasuresTheSurfaceOfTheRun)
+{
+  for (const auto& [preset, basis] : { std::pair("balanced", "loop"), std::pair("fast", "linear") })
+  {
+    const std::string name(preset);
+    const auto run = vesicle_command(folder->path(),
+      { "run", "pear.toml", "-o", name, "--no-movie", "--no-plots", "--set",
+        "accuracy.preset=" + name });
+    ASSERT_EQ(run.code, 0) << run.errors;
+    const auto info = vesicle_command(folder->path(), { "info", name + "/pear.pvd", "--json" });
+    ASSERT_EQ(info.code, 0) << info.errors;
+    const auto rows = table(name);
+    const auto& names = rows[0];
+    int compared = 0;
+    for (const auto& frame : nlohmann::json::parse(info.output))
+    {
+      EXPECT_EQ(frame["basis"], basis);
+      for (const auto& row : rows)
+      {
+        if (row == names || std::stod(row[1]) != frame["time"].get<double>())
+        {
+          continue;
+        }
+        ++compared;
+        for (const char* quantity : { "area", "volume", "reduced_volume", "energy_over_8pi" })
+        {
+          const auto column = std::find(names.begin(), names.end(), quantity) - names.begin();
+          EXPECT_NEAR(frame[quantity].get<double>(), std::stod(row[column]), 1e-11) << quantity;
+        }
+      }
+    }
+    EXPECT_EQ(compared, 6);
   }
 }
 

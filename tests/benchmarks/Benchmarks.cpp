@@ -6,6 +6,7 @@
 #include "solver/dynamics/DenseFactorization.h"
 #include "solver/dynamics/Discretization.h"
 #include "solver/dynamics/Simulation.h"
+#include "solver/dynamics/StartMesh.h"
 #include "solver/stokes/StokesletKernel.h"
 
 #include <benchmark/benchmark.h>

@@ -55,6 +55,8 @@ class Classes(unittest.TestCase):
         source = vesicle.vtkVesicleSource()
         source.SetShape(vesicle.vtkVesicleSource.Oblate)
         self.assertEqual(source.GetShapeName(), "oblate")
+        source.SetBasis(vesicle.vtkVesicleSource.Linear)
+        self.assertEqual(source.GetBasis(), 0)
         source.SetShapeByName("prolate")
         self.assertEqual(source.GetShape(), vesicle.vtkVesicleSource.Prolate)
 

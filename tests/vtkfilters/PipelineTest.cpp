@@ -305,7 +305,8 @@ TEST(Pipeline, ClassesPrintAllTheirProperties)
   vtkNew<vtkVesicleSource> source;
   source->AddMode(2, 0, 0.1);
   expect_printed(source,
-    { "Shape", "ReducedVolume", "Triangles", "Radius", "Axis", "Center", "SemiAxes", "Mode" });
+    { "Shape", "Basis", "ReducedVolume", "Triangles", "Radius", "Axis", "Center", "SemiAxes",
+      "Mode" });
   expect_printed(vtkNew<vtkVesicleCurvatureFilter>(),
     { "CurvatureType", "InvertMeanCurvature", "Scheme", "BendingRigidity", "OrientOutward" });
   vtkNew<vtkVesicleForceFilter> forces;

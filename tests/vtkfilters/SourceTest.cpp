@@ -3,20 +3,78 @@
 #include "vtkfilters/Filters/MeshConversion.h"
 #include "vtkfilters/Filters/VtkMessages.h"
 
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
+#include "vtkVesicleStepper.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace vesicle::test
 {
 
-TEST(Source, HasTheVolumeAndReducedVolumeAskedFor)
+namespace
+{
+
+double number(vtkPolyData* surface, const char* name)
+{
+  vtkDataArray* array = surface->GetFieldData()->GetArray(name);
+  EXPECT_NE(array, nullptr) << name;
+  return array ? array->GetComponent(0, 0) : NAN;
+}
+
+struct Asked
+{
+  const char* shape;
+  double reduced_volume;
+  int triangles;
+};
+
+}
+
+// The dynamics measure the surface that they move, by quadrature on it.
+TEST(Source, TheStepperHasTheReducedVolumeAskedFor)
+{
+  for (const auto& [basis, preset] :
+    { std::pair(vtkVesicleSource::Loop, vtkVesicleStepper::Balanced),
+      std::pair(vtkVesicleSource::Linear, vtkVesicleStepper::Fast) })
+  {
+    for (const auto& [shape, v, triangles] :
+      { Asked{ "prolate", 0.8, 80 }, Asked{ "prolate", 0.8, 320 }, Asked{ "prolate", 0.95, 500 },
+        Asked{ "oblate", 0.8, 120 }, Asked{ "oblate", 0.65, 320 }, Asked{ "discocyte", 0.65, 320 },
+        Asked{ "ellipsoid", 0.9, 240 } })
+    {
+      vtkNew<vtkVesicleSource> source;
+      source->SetShapeByName(shape);
+      source->SetBasis(basis);
+      source->SetReducedVolume(v);
+      source->SetTriangles(triangles);
+      source->SetSemiAxes(1, 2, 3);
+      source->SetRadius(2);
+      vtkNew<vtkVesicleStepper> stepper;
+      stepper->SetInputConnection(source->GetOutputPort());
+      stepper->SetPreset(preset);
+      stepper->Update();
+      SCOPED_TRACE(testing::Message() << shape << ' ' << triangles << " basis " << basis);
+      for (vtkPolyData* output : { source->GetOutput(), stepper->GetOutput() })
+      {
+        EXPECT_NEAR(number(output, "Reduced_Volume"), v, 1e-6);
+        EXPECT_EQ(number(output, "Surface_Basis"), basis);
+      }
+      EXPECT_NEAR(number(stepper->GetOutput(), "Volume"), 4 * std::numbers::pi / 3 * 8, 1e-6);
+    }
+  }
+}
+
+TEST(Source, FlatTrianglesHaveTheVolumeAndReducedVolumeAskedFor)
 {
   vtkNew<vtkVesicleSource> source;
+  source->SetBasis(vtkVesicleSource::Linear);
   source->SetShapeByName("prolate");
   source->SetReducedVolume(0.9);
   source->SetRadius(2);

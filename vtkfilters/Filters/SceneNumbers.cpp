@@ -94,10 +94,23 @@ void add_number(vtkFieldData* to, const char* name, double value)
   to->AddArray(to_array(name, Eigen::MatrixXd::Constant(1, 1, value)));
 }
 
+void add_surface(SurfaceBasis basis, double reduced_volume, vtkFieldData* to)
+{
+  add_number(to, "Surface_Basis", static_cast<int>(basis));
+  add_number(to, "Reduced_Volume", reduced_volume);
+}
+
+SurfaceBasis surface_basis(vtkFieldData* from)
+{
+  vtkDataArray* number = from->GetArray("Surface_Basis");
+  const bool loop = number && number->GetNumberOfValues() == 1 && number->GetComponent(0, 0) == 1;
+  return loop ? SurfaceBasis::loop : SurfaceBasis::linear;
+}
+
 void add_medium(const Scene& scene, vtkFieldData* to)
 {
   add_number(to, "Viscosity", scene.fluid.viscosity);
-  add_number(to, "Surface_Basis", scene.accuracy.basis == Scene::Basis::loop);
+  add_number(to, "Surface_Basis", static_cast<int>(scene.accuracy.basis));
   add_number(to, "Flow_Kind", scene.flow ? number_of(scene.flow->kind()) : 0);
   if (!scene.flow)
     return;

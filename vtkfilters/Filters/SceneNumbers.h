@@ -28,6 +28,13 @@ VESICLEFILTERS_EXPORT void add_fields(
 /// Field data of one tuple.
 VESICLEFILTERS_EXPORT void add_number(vtkFieldData* to, const char* name, double value);
 
+/// What surface the points stand for, as field data: Surface_Basis, 0 flat triangles, 1 Loop's
+/// surface; and the Reduced_Volume of that surface.
+VESICLEFILTERS_EXPORT void add_surface(SurfaceBasis basis, double reduced_volume, vtkFieldData* to);
+
+/// By the field data Surface_Basis; flat triangles where there is none.
+VESICLEFILTERS_EXPORT SurfaceBasis surface_basis(vtkFieldData* from);
+
 /// The scene's medium as field data: Viscosity; Surface_Basis, 0 linear, 1 Loop; Flow_Kind, 0 at
 /// rest or the number of a kind (flow/FlowKinds.h), and the numbers of the flow
 /// (flow/FlowNumbers.h): Flow_Rate, Flow_Velocity (three components; Poiseuille's on the axis),

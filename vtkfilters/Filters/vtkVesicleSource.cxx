@@ -1,11 +1,13 @@
 #include "vtkVesicleSource.h"
 
 #include "MeshConversion.h"
+#include "SceneNumbers.h"
 
 #include "solver/Errors.h"
-#include "solver/dynamics/Simulation.h"
-#include "solver/mesh/shapes/Shapes.h"
+#include "solver/dynamics/StartShape.h"
+#include "solver/dynamics/SurfaceMeasures.h"
 
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -20,6 +22,7 @@ namespace
 {
 
 using Kind = vesicle::ShapeRequest::Kind;
+using vesicle::SurfaceBasis;
 
 constexpr std::array kinds{ Kind::sphere, Kind::prolate, Kind::oblate, Kind::ellipsoid,
   Kind::discocyte, Kind::perturbed }; // in the order of vtkVesicleSource::Shapes
@@ -92,29 +95,29 @@ int vtkVesicleSource::GetNumberOfModes()
 int vtkVesicleSource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
-  vesicle::Scene scene;
-  // The mesh itself, its flat triangles, has the volumes asked for.
-  scene.accuracy = vesicle::Scene::preset(vesicle::Scene::Preset::fast);
-  auto& vesicle = scene.vesicle;
-  vesicle.shape.kind = kinds[this->Shape];
-  vesicle.shape.triangles = this->Triangles;
+  vesicle::ShapeRequest request;
+  request.kind = kinds[this->Shape];
+  request.triangles = this->Triangles;
   if (this->ReducedVolume > 0)
   {
-    vesicle.shape.reduced_volume = this->ReducedVolume;
+    request.reduced_volume = this->ReducedVolume;
   }
-  std::copy_n(this->SemiAxes, 3, vesicle.shape.semi_axes.begin());
-  vesicle.shape.modes = this->Modes->Items;
-  vesicle.radius = this->Radius;
-  vesicle.axis = vesicle::Vector3(this->Axis).normalized();
-  vesicle.center = vesicle::Vector3(this->Center);
+  std::copy_n(this->SemiAxes, 3, request.semi_axes.begin());
+  request.modes = this->Modes->Items;
+  const vesicle::Vector3 axis(this->Axis);
+  const auto basis = this->Basis == Linear ? SurfaceBasis::linear : SurfaceBasis::loop;
   try
   {
-    if (!(this->Radius > 0) || !(vesicle::Vector3(this->Axis).norm() > 0))
+    if (!(this->Radius > 0) || !(axis.norm() > 0))
     {
       throw vesicle::InputError("Radius must be above 0 and Axis must have a direction");
     }
-    vtkPolyData::GetData(outputs)->ShallowCopy(
-      vesicle::to_polydata(vesicle::make_start_mesh(scene)));
+    vesicle::TriangleMesh mesh = vesicle::make_start_shape(request, basis);
+    const auto [area, volume, energy] = vesicle::surface_measures(basis, mesh);
+    vesicle::place(mesh, this->Radius, vesicle::turn_z_to(axis), vesicle::Vector3(this->Center));
+    const auto surface = vesicle::to_polydata(mesh);
+    vesicle::add_surface(basis, vesicle::reduced_volume(area, volume), surface->GetFieldData());
+    vtkPolyData::GetData(outputs)->ShallowCopy(surface);
     return 1;
   }
   catch (const std::exception& error)
@@ -130,6 +133,7 @@ void vtkVesicleSource::PrintSelf(ostream& os, vtkIndent indent)
   const auto print = [&](const char* name, const double* v)
   { os << indent << name << ": " << v[0] << ' ' << v[1] << ' ' << v[2] << '\n'; };
   os << indent << "Shape: " << this->GetShapeName() << '\n';
+  os << indent << "Basis: " << (this->Basis == Linear ? "linear" : "loop") << '\n';
   os << indent << "ReducedVolume: " << this->ReducedVolume << '\n';
   os << indent << "Triangles: " << this->Triangles << '\n';
   os << indent << "Radius: " << this->Radius << '\n';

@@ -4,8 +4,10 @@
  *
  * vtkVesicleSource makes the start shapes of a simulation. Twelve vertices have five neighbours and
  * all others six: meshes are capped tubes of the hexagonal lattice, or geodesic spheres, relaxed on
- * the shape that is asked for. Sizes refer to the discrete mesh: its volume is that of a sphere of
- * radius Radius, and its reduced volume v = 6 √π V / A^(3/2) is ReducedVolume to 1e-6. Triangles are
+ * the shape that is asked for. Sizes refer to the surface that the mesh stands for, by Basis Loop's
+ * smooth surface through the points or the flat triangles: its volume is that of a sphere of radius
+ * Radius, and its reduced volume v = 6 √π V / A^(3/2) is ReducedVolume to 1e-6. The output's field
+ * data say so: Surface_Basis (0 flat triangles, 1 Loop) and Reduced_Volume. Triangles are
  * counter-clockwise seen from outside; points are in double precision.
  *
  * Shapes: Sphere; Prolate and Oblate, ellipsoids of revolution about the axis; Ellipsoid with
@@ -43,6 +45,12 @@ public:
     Perturbed
   };
 
+  enum Bases
+  {
+    Linear, ///< the flat triangles
+    Loop    ///< Loop's limit surface through the points
+  };
+
   ///@{
   /**
    * The shape, one of Shapes or its name in lower case ("sphere", "prolate", …). An unknown name is
@@ -56,11 +64,21 @@ public:
 
   ///@{
   /**
-   * Reduced volume v of the discrete mesh, no unit, above 0 up to 1 (each shape has its own range,
-   * and an error says which). 0: the shape's own. Default: 0.
+   * Reduced volume v of the surface, no unit, above 0 up to 1 (each shape has its own range, and an
+   * error says which). 0: the shape's own. Default: 0.
    */
   vtkSetClampMacro(ReducedVolume, double, 0.0, 1.0);
   vtkGetMacro(ReducedVolume, double);
+  ///@}
+
+  ///@{
+  /**
+   * Which surface has the ReducedVolume and the Radius, one of Bases: Loop's, which the Presets
+   * Balanced and Accurate of vtkVesicleStepper move, or the flat triangles of Fast and Paper.
+   * Default: Loop.
+   */
+  vtkSetClampMacro(Basis, int, Linear, Loop);
+  vtkGetMacro(Basis, int);
   ///@}
 
   ///@{
@@ -126,6 +144,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int Shape = Sphere;
+  int Basis = Loop;
   double ReducedVolume = 0;
   int Triangles = 1280;
   double Radius = 1;

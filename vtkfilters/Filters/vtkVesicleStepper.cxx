@@ -8,6 +8,7 @@
 #include "solver/Doing.h"
 #include "solver/Errors.h"
 #include "solver/dynamics/Simulation.h"
+#include "solver/dynamics/StartMesh.h"
 #include "solver/scene/SceneFile.h"
 
 #include "vtkFieldData.h"

@@ -1,5 +1,6 @@
 // Whole runs against published and independently computed values.
 #include "solver/dynamics/Simulation.h"
+#include "solver/dynamics/StartMesh.h"
 #include "solver/scene/SceneFile.h"
 #include "tests/solver/support/TestMeshes.h"
 
