@@ -4,7 +4,10 @@
 #include "SharedLibrary.h"
 
 #include <array>
+#include <atomic>
 #include <cstdlib>
+#include <mutex>
+#include <vector>
 
 namespace vesicle
 {
@@ -30,18 +33,11 @@ struct OSMesa
   unsigned char (*make_current)(void* context, void* buffer, unsigned type, int width, int height);
   void* (*get_current_context)();
   void* (*get_proc_address)(const char*);
+  void (*finish)(); ///< glFinish
   GLDispatchVendor* vendor;
-  bool ended;
+  std::atomic<bool> ended;
 };
 OSMesa osmesa{};
-
-/// Windows may outlive libOSMesa: ParaView's last until the process ends. From here on OpenGL's
-/// functions do nothing and libOSMesa isn't called any more.
-void end()
-{
-  osmesa.ended = true;
-  osmesa.vendor->release_current();
-}
 
 bool load(std::string& why_not)
 {
@@ -60,33 +56,55 @@ bool load(std::string& why_not)
     why_not = "libOSMesa.so.8 is too old";
     return false;
   }
+  osmesa.finish = reinterpret_cast<void (*)()>(osmesa.get_proc_address("glFinish"));
   osmesa.vendor = GLDispatchVendor::create(
     [](const char* name, void*) { return osmesa.get_proc_address(name); }, why_not);
-  return osmesa.vendor && std::atexit(end) == 0; // runs before the libraries loaded so far end
+  return osmesa.vendor != nullptr;
 }
 
 class OSMesaContext : public OffscreenContext
 {
 public:
-  explicit OSMesaContext(void* context) : context_(context) {}
+  explicit OSMesaContext(void* context) : context_(context)
+  {
+    const std::lock_guard lock(list_mutex);
+    living.push_back(this);
+  }
 
   ~OSMesaContext() override
   {
-    if (!osmesa.ended)
     {
-      release_current();
-      osmesa.destroy_context(context_);
+      const std::lock_guard lock(list_mutex);
+      if (osmesa.ended)
+      {
+        return;
+      }
+      std::erase(living, this);
     }
+    release_current();
+    osmesa.destroy_context(context_);
+  }
+
+  /// Waits for what the contexts that are left still draw. From here on OpenGL's functions do
+  /// nothing and libOSMesa isn't called any more.
+  static void end()
+  {
+    const std::lock_guard lock(list_mutex);
+    osmesa.ended = true;
+    for (OSMesaContext* context : living)
+    {
+      if (context->bind())
+      {
+        osmesa.finish();
+      }
+    }
+    osmesa.make_current(nullptr, nullptr, 0, 0, 0);
+    osmesa.vendor->release_current();
   }
 
   bool make_current() override
   {
-    if (osmesa.ended || is_current())
-    {
-      return true;
-    }
-    return osmesa.vendor->make_current() &&
-      osmesa.make_current(context_, buffer_.data(), gl_unsigned_byte, buffer_side, buffer_side);
+    return osmesa.ended || is_current() || (osmesa.vendor->make_current() && bind());
   }
 
   bool is_current() const override
@@ -104,11 +122,37 @@ public:
   }
 
 private:
+  bool bind()
+  {
+    return osmesa.make_current(
+      context_, buffer_.data(), gl_unsigned_byte, buffer_side, buffer_side);
+  }
+
+  inline static std::mutex list_mutex;
+  inline static std::vector<OSMesaContext*> living;
+
   // Never seen: VTK draws into framebuffer objects of its own.
   static constexpr int buffer_side = 16;
   std::array<unsigned char, 4 * buffer_side * buffer_side> buffer_{};
   void* context_;
 };
+
+void* create_context()
+{
+  constexpr int attributes[] = { osmesa_format, gl_rgba, osmesa_depth_bits, 24, osmesa_stencil_bits,
+    0, osmesa_accum_bits, 0, osmesa_profile, osmesa_core_profile, osmesa_context_major_version, 3,
+    osmesa_context_minor_version, 2, 0 };
+  return osmesa.create_context(attributes, nullptr);
+}
+
+/// Windows may outlive libOSMesa: ParaView's last until the process ends. At exit libOSMesa joins
+/// its rasteriser's threads, and some of them wait for ever for the others if something is still
+/// being drawn. Its handler is registered with the first context; ours, registered after it, runs
+/// before.
+void watch_for_exit()
+{
+  [[maybe_unused]] static const int watching = std::atexit(OSMesaContext::end);
+}
 
 }
 
@@ -121,15 +165,18 @@ std::unique_ptr<OffscreenContext> make_osmesa_context(std::string& why_not)
     why_not = failure;
     return nullptr;
   }
-  constexpr int attributes[] = { osmesa_format, gl_rgba, osmesa_depth_bits, 24, osmesa_stencil_bits,
-    0, osmesa_accum_bits, 0, osmesa_profile, osmesa_core_profile, osmesa_context_major_version, 3,
-    osmesa_context_minor_version, 2, 0 };
-  void* context = osmesa.create_context(attributes, nullptr);
+  if (osmesa.ended)
+  {
+    why_not = "the process is ending";
+    return nullptr;
+  }
+  void* context = create_context();
   if (!context)
   {
     why_not = "libOSMesa offers no OpenGL 3.2 core context";
     return nullptr;
   }
+  watch_for_exit();
   return std::make_unique<OSMesaContext>(context);
 }
 

@@ -1,6 +1,8 @@
 """Windows without a screen, VTK's own classes and the view."""
 
 import os
+import subprocess
+import sys
 import unittest
 
 import vesicle
@@ -13,6 +15,22 @@ from vtkmodules.vtkCommonDataModel import vtkTable
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkRenderWindowInteractor
 from vtkmodules.vtkViewsContext2D import vtkContextView
+
+
+LEAVES_A_WINDOW = """
+import vesicle.rendering
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow
+sphere, mapper, actor = vtkSphereSource(), vtkPolyDataMapper(), vtkActor()
+mapper.SetInputConnection(sphere.GetOutputPort())
+actor.SetMapper(mapper)
+renderer, window = vtkRenderer(), vtkRenderWindow()
+renderer.AddActor(actor)
+window.AddRenderer(renderer)
+window.SetSize(640, 480)
+window.Render()
+window.Render()
+"""
 
 
 def pixels(file):
@@ -78,6 +96,14 @@ class WithoutAScreen(unittest.TestCase):
                 colors.append(pixels(folder / "view.png")[100, 100].astype(int))
         self.assertGreater(colors[0][2], colors[0][0] + 50, "low is blue")
         self.assertGreater(colors[1][0], colors[1][2] + 50, "high is red")
+
+    def test_a_process_may_end_while_a_window_draws(self):
+        for how in ("", "window.Register(None)", "import builtins; builtins.kept = window",
+                    "import threading; threading.Thread(target=window.Render).start()"):
+            with self.subTest(how):
+                for _ in range(3):
+                    subprocess.run([sys.executable, "-c", LEAVES_A_WINDOW + how], check=True,
+                                   timeout=60)
 
     def test_a_missing_array_is_named_with_those_there_are(self):
         with self.assertRaisesRegex(ValueError, "'Tension'; there are: .*Mean_Curvature"):
