@@ -2,7 +2,7 @@
 
 #include "solver/Errors.h"
 #include "solver/dynamics/Diagnostics.h"
-#include "vtkfilters/Filters/FileBytes.h"
+#include "solver/files/FileBytes.h"
 
 #include <fmt/format.h>
 

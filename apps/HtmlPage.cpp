@@ -6,7 +6,7 @@
 #include "render/SurfaceMeasures.h"
 #include "render/View.h"
 #include "solver/Errors.h"
-#include "vtkfilters/Filters/FileBytes.h"
+#include "solver/files/FileBytes.h"
 #include "vtkfilters/Filters/MeshConversion.h"
 
 #include "vtkDataArray.h"

@@ -11,9 +11,9 @@
 #include "solver/Doing.h"
 #include "solver/Errors.h"
 #include "solver/dynamics/Simulation.h"
+#include "solver/files/FileBytes.h"
 #include "solver/scene/SceneFile.h"
-#include "vtkfilters/Filters/FileBytes.h"
-#include "vtkfilters/Filters/Trajectory.h"
+#include "solver/state/Trajectory.h"
 #include "vtkfilters/Filters/VtkMessages.h"
 
 #include "vtkPolyData.h"

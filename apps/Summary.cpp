@@ -3,8 +3,8 @@
 #include "apps/JsonText.h"
 
 #include "solver/dynamics/Blas.h"
+#include "solver/files/FileBytes.h"
 #include "solver/scene/SceneFile.h"
-#include "vtkfilters/Filters/FileBytes.h"
 
 #include "vtkVersion.h"
 

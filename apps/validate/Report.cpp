@@ -4,7 +4,7 @@
 
 #include "render/SceneGuides.h"
 #include "solver/dynamics/Simulation.h"
-#include "vtkfilters/Filters/FileBytes.h"
+#include "solver/files/FileBytes.h"
 #include "vtkfilters/Filters/MeshConversion.h"
 
 #include "vtkDoubleArray.h"

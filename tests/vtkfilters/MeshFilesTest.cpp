@@ -3,9 +3,9 @@
 #include "TemporaryFolder.h"
 
 #include "vtkfilters/Filters/MeshConversion.h"
-#include "vtkfilters/Filters/TextMeshes.h"
 
 #include "solver/Errors.h"
+#include "solver/mesh/io/TextMeshes.h"
 #include "solver/mesh/shapes/Shapes.h"
 #include "tests/solver/support/FullDisk.h"
 

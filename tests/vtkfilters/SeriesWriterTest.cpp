@@ -2,10 +2,10 @@
 
 #include "TemporaryFolder.h"
 
-#include "vtkfilters/Filters/FileBytes.h"
 #include "vtkfilters/Filters/MeshConversion.h"
 
 #include "solver/Errors.h"
+#include "solver/files/FileBytes.h"
 #include "solver/mesh/shapes/Shapes.h"
 #include "tests/solver/support/FullDisk.h"
 

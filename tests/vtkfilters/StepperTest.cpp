@@ -2,11 +2,11 @@
 
 #include "TemporaryFolder.h"
 
-#include "vtkfilters/Filters/FileBytes.h"
 #include "vtkfilters/Filters/MeshConversion.h"
 #include "vtkfilters/Filters/VtkMessages.h"
 
 #include "solver/dynamics/Simulation.h"
+#include "solver/files/FileBytes.h"
 #include "solver/scene/SceneFile.h"
 
 #include "vtkDataArray.h"

@@ -1,11 +1,11 @@
 #include "MeshFiles.h"
 
-#include "FileBytes.h"
 #include "MeshConversion.h"
-#include "TextMeshes.h"
 #include "VtkMessages.h"
 
 #include "solver/Errors.h"
+#include "solver/files/FileBytes.h"
+#include "solver/mesh/io/TextMeshes.h"
 
 #include "vtkDataSetReader.h"
 #include "vtkErrorCode.h"

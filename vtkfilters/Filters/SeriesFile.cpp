@@ -1,9 +1,10 @@
 #include "SeriesFile.h"
 
-#include "FileBytes.h"
 #include "VtkMessages.h"
 
 #include "solver/Errors.h"
+#include "solver/files/FileBytes.h"
+#include "solver/state/XmlText.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkXMLDataElement.h"
@@ -11,8 +12,6 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <sstream>
 
 namespace vesicle
 {
@@ -71,13 +70,6 @@ std::vector<SeriesFrame> read_pvd(const path& file)
   return frames;
 }
 
-}
-
-std::string xml_text(const std::string& text)
-{
-  std::ostringstream encoded;
-  vtkXMLUtilities::EncodeString(text.c_str(), VTK_ENCODING_UTF_8, encoded, VTK_ENCODING_UTF_8, 1);
-  return encoded.str();
 }
 
 bool is_series(const path& file)

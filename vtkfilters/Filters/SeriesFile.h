@@ -20,9 +20,6 @@ VESICLEFILTERS_EXPORT bool is_series(const std::filesystem::path& file); ///< by
 /// Reads a .pvd or .series file. Throws InputError naming the file and what is wrong.
 VESICLEFILTERS_EXPORT std::vector<SeriesFrame> read_series(const std::filesystem::path& file);
 
-/// Text as it stands in XML.
-VESICLEFILTERS_EXPORT std::string xml_text(const std::string& text);
-
 VESICLEFILTERS_EXPORT std::string pvd_text(const std::vector<SeriesFrame>& frames);
 VESICLEFILTERS_EXPORT std::string series_text(const std::vector<SeriesFrame>& frames);
 

@@ -1,10 +1,10 @@
 #include "SeriesWriter.h"
 
-#include "FileBytes.h"
 #include "MeshConversion.h"
 #include "MeshFiles.h"
 
 #include "solver/Errors.h"
+#include "solver/files/FileBytes.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"

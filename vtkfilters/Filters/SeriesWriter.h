@@ -4,7 +4,8 @@
 #include "VesicleFiltersModule.h"
 
 #include "SeriesFile.h"
-#include "XdmfFile.h"
+
+#include "solver/state/XdmfFile.h"
 
 class vtkPolyData;
 

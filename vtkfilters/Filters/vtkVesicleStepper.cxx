@@ -3,13 +3,13 @@
 #include "MeshConversion.h"
 #include "MeshFiles.h"
 #include "SceneNumbers.h"
-#include "Trajectory.h"
 
 #include "solver/Doing.h"
 #include "solver/Errors.h"
 #include "solver/dynamics/Simulation.h"
 #include "solver/dynamics/StartMesh.h"
 #include "solver/scene/SceneFile.h"
+#include "solver/state/Trajectory.h"
 
 #include "vtkFieldData.h"
 #include "vtkInformation.h"

@@ -1,4 +1,4 @@
-#include "Trajectory.h"
+#include "solver/state/Trajectory.h"
 
 #include <algorithm>
 #include <cmath>

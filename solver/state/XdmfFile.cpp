@@ -1,6 +1,6 @@
-#include "XdmfFile.h"
+#include "solver/state/XdmfFile.h"
 
-#include "SeriesFile.h"
+#include "solver/state/XmlText.h"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,6 @@
 // Meshes in plain text: .off (which VTK 9.1 neither reads nor writes) and .obj (which it writes
 // with six digits).
 
-#include "VesicleFiltersModule.h"
-
 #include "solver/mesh/TriangleMesh.h"
 
 #include <string>
@@ -13,12 +11,12 @@ namespace vesicle
 
 /// Reads OFF, also with colours after points or faces; polygons are cut into triangles from their
 /// first corner. `name` stands for the file in messages. Throws InputError with the line.
-VESICLEFILTERS_EXPORT TriangleMesh parse_off(const std::string& text, const std::string& name);
+TriangleMesh parse_off(const std::string& text, const std::string& name);
 
 /// Reads the points and faces of a Wavefront OBJ file, nothing else; polygons as above.
-VESICLEFILTERS_EXPORT TriangleMesh parse_obj(const std::string& text, const std::string& name);
+TriangleMesh parse_obj(const std::string& text, const std::string& name);
 
-VESICLEFILTERS_EXPORT std::string off_text(const TriangleMesh& mesh);
-VESICLEFILTERS_EXPORT std::string obj_text(const TriangleMesh& mesh);
+std::string off_text(const TriangleMesh& mesh);
+std::string obj_text(const TriangleMesh& mesh);
 
 }

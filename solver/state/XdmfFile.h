@@ -1,8 +1,6 @@
 #pragma once
 // The .xdmf file that shows the frames of a run, which are HDF5 files, as one time series.
 
-#include "VesicleFiltersModule.h"
-
 #include "solver/state/FrameFile.h"
 
 #include <filesystem>
@@ -21,7 +19,7 @@ struct XdmfFrame
 
 /// XDMF 3: a temporal collection, a grid of triangles a frame. The points are there as an array
 /// Position as well: of moving points some readers give those of the first frame only.
-VESICLEFILTERS_EXPORT std::string xdmf_text(
+std::string xdmf_text(
   const std::string& name, const std::vector<XdmfFrame>& frames);
 
 }

@@ -1,4 +1,4 @@
-#include "TextMeshes.h"
+#include "solver/mesh/io/TextMeshes.h"
 
 #include "solver/Errors.h"
 

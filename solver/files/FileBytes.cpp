@@ -1,4 +1,4 @@
-#include "FileBytes.h"
+#include "solver/files/FileBytes.h"
 
 #include "solver/Errors.h"
 

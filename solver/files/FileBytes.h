@@ -1,8 +1,6 @@
 #pragma once
 // Files that are there as a whole or not at all.
 
-#include "VesicleFiltersModule.h"
-
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -13,19 +11,19 @@ namespace vesicle
 /// Writes beside `file` under another name, then renames: whoever reads `file` finds the old
 /// content or the new one, also after a crash. Throws IoError naming the file and the system's
 /// reason.
-VESICLEFILTERS_EXPORT void replace_file(const std::filesystem::path& file, std::string_view bytes);
+void replace_file(const std::filesystem::path& file, std::string_view bytes);
 
 /// The name used for that: NAME.part.ENDING in the same folder (`file` itself where that is a
 /// device).
-VESICLEFILTERS_EXPORT std::filesystem::path unfinished_name(const std::filesystem::path& file);
+std::filesystem::path unfinished_name(const std::filesystem::path& file);
 /// Gives a file that was written under its unfinished name its own. Throws IoError.
-VESICLEFILTERS_EXPORT void finish_file(const std::filesystem::path& file);
+void finish_file(const std::filesystem::path& file);
 
 /// Throws InputError if there is none, IoError if it can't be read.
-VESICLEFILTERS_EXPORT std::string read_file(const std::filesystem::path& file);
+std::string read_file(const std::filesystem::path& file);
 /// Throws InputError unless there is a file.
-VESICLEFILTERS_EXPORT void require_file(const std::filesystem::path& file);
+void require_file(const std::filesystem::path& file);
 /// Makes the folder and those above it. Throws IoError.
-VESICLEFILTERS_EXPORT void make_folder(const std::filesystem::path& folder);
+void make_folder(const std::filesystem::path& folder);
 
 }

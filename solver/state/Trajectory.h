@@ -1,8 +1,6 @@
 #pragma once
 // The accepted steps of a simulation, made as far as they are asked for and found again by time.
 
-#include "VesicleFiltersModule.h"
-
 #include "solver/dynamics/Simulation.h"
 
 #include <optional>
@@ -13,18 +11,18 @@ namespace vesicle
 
 /// Times closer than this fraction of them are the same: output times are multiples of a decimal
 /// fraction, which a caller may have rounded differently.
-VESICLEFILTERS_EXPORT bool same_time(double a, double b);
+bool same_time(double a, double b);
 
 /// True at the start and where an output time (a multiple of the scene's output_every) was hit.
-VESICLEFILTERS_EXPORT bool at_output_time(const Scene& scene, const State& state);
+bool at_output_time(const Scene& scene, const State& state);
 /// The time, in the scene's units, that the run goes to next: the next output time or the end;
 /// empty if there is none but the steady state.
-VESICLEFILTERS_EXPORT std::optional<double> next_output_time(
+std::optional<double> next_output_time(
   const Scene& scene, const State& state);
 
 /// Steps are made in order and never depend on what was asked for. States at output times are kept;
 /// what lies between two of them is computed again when it is asked for.
-class VESICLEFILTERS_EXPORT Trajectory
+class Trajectory
 {
 public:
   /// A time on the trajectory: a state, or a place between two successive ones.
