@@ -2,45 +2,23 @@
 
 #include "solver/Errors.h"
 #include "solver/dynamics/Diagnostics.h"
+#include "solver/files/FileBytes.h"
+#include "solver/state/Table.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <fstream>
 
 namespace vesicle
 {
 namespace
 {
 
-std::vector<std::string> split(const std::string& line)
+/// Empty where the field is; `where` says where it is.
+std::optional<double> value_of(const std::string& field, const std::string& where)
 {
-  std::vector<std::string> fields(1);
-  for (const char c : line)
-  {
-    if (c == ',')
-    {
-      fields.emplace_back();
-    }
-    else if (c != '\r')
-    {
-      fields.back() += c;
-    }
-  }
-  return fields;
-}
-
-std::optional<double> number_of(const std::string& field, const std::string& where)
-{
-  if (field.empty())
-  {
-    return std::nullopt;
-  }
-  double value = 0;
-  const char* end = field.data() + field.size();
-  const auto result = std::from_chars(field.data(), end, value);
-  if (result.ec != std::errc() || result.ptr != end)
+  const auto value = number_in(field);
+  if (!value && !field.empty())
   {
     throw InputError(fmt::format("{}: \"{}\" is not a number", where, field));
   }
@@ -70,26 +48,19 @@ RunTable run_table(std::vector<Row> rows)
 
 RunTable read_run_table(const std::filesystem::path& file)
 {
-  std::ifstream in(file);
-  std::string line;
-  if (!std::getline(in, line))
+  const Table text = parse_table(read_file(file), file.string());
+  if (text.names.empty())
   {
     throw IoError(file.string() + ": can't be read");
   }
-  RunTable table;
-  table.columns = split(line);
-  for (int number = 2; std::getline(in, line); ++number)
+  RunTable table{ text.names, {} };
+  for (std::size_t i = 0; i < text.rows.size(); ++i)
   {
-    const std::string where = fmt::format("{}:{}", file.string(), number);
+    const std::string where = fmt::format("{}:{}", file.string(), text.lines[i]);
     Row row;
-    for (const auto& field : split(line))
+    for (const auto& field : text.rows[i])
     {
-      row.push_back(number_of(field, where));
-    }
-    if (row.size() != table.columns.size())
-    {
-      throw InputError(
-        fmt::format("{}: has {} values for {} columns", where, row.size(), table.columns.size()));
+      row.push_back(value_of(field, where));
     }
     table.rows.push_back(std::move(row));
   }

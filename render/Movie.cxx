@@ -1,12 +1,14 @@
 #include "render/Movie.h"
 
 #include "render/Ffmpeg.h"
-#include "render/FrameFile.h"
 #include "render/PngFile.h"
 #include "render/VelocityArrows.h"
 #include "solver/Doing.h"
 #include "solver/Errors.h"
+#include "vtkfilters/Filters/MeshFiles.h"
 
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkPolyData.h"
 
@@ -35,6 +37,25 @@ struct Survey
 };
 
 using FrameName = std::function<std::string(int)>;
+
+/// A frame that was listed and is gone is not the scene's fault.
+vtkSmartPointer<vtkPolyData> read_frame(const fs::path& file)
+{
+  std::error_code ignored;
+  if (!fs::exists(file, ignored))
+  {
+    throw IoError("can't read " + file.string());
+  }
+  return read_mesh(file);
+}
+
+/// The field data TimeValue, where there is one.
+std::optional<double> time_of(vtkPolyData* surface)
+{
+  vtkDataArray* time = surface->GetFieldData()->GetArray("TimeValue");
+  return time && time->GetNumberOfValues() > 0 ? std::optional(time->GetComponent(0, 0))
+                                               : std::nullopt;
+}
 
 vtkSmartPointer<vtkPolyData> frame_of(const FrameSource& frames, int i)
 {
@@ -231,12 +252,13 @@ MovieReport make_movie(const std::vector<fs::path>& files, const MovieSettings& 
   const auto count = static_cast<int>(files.size());
   const FrameSource frames = [&](int i)
   {
-    const FrameFile frame = read_frame(files[static_cast<std::size_t>(i)]);
-    if (frame.time && times.size() == static_cast<std::size_t>(i))
+    const auto surface = read_frame(files[static_cast<std::size_t>(i)]);
+    const auto time = time_of(surface);
+    if (time && times.size() == static_cast<std::size_t>(i))
     {
-      times.push_back(*frame.time);
+      times.push_back(*time);
     }
-    return frame.surface;
+    return surface;
   };
   const auto name = [&](int i) { return files[static_cast<std::size_t>(i)].string(); };
   return draw_movie(frames, count, name, times, settings);

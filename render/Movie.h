@@ -44,7 +44,8 @@ struct MovieReport
 MovieReport make_movie(
   const FrameSource& frames, const std::vector<double>& times, const MovieSettings& settings);
 
-/// The same from files (see read_frame); time labels where every file holds its time.
+/// The same from meshes in files; time labels where every file holds its time (field data
+/// TimeValue).
 MovieReport make_movie(
   const std::vector<std::filesystem::path>& files, const MovieSettings& settings);
 

@@ -1,7 +1,7 @@
 // Fig. 8 and 9 of the paper: buoyant vesicles.
 
 #include "apps/validate/Cases.h"
-#include "apps/validate/History.h"
+#include "apps/validate/Runs.h"
 
 #include "render/SmoothSurface.h"
 #include "vtkfilters/Filters/MeshConversion.h"

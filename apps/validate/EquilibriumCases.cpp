@@ -3,7 +3,7 @@
 
 #include "apps/validate/Cases.h"
 #include "apps/validate/Data.h"
-#include "apps/validate/History.h"
+#include "apps/validate/Runs.h"
 #include "apps/validate/Stomatocyte.h"
 #include "solver/dynamics/StartMesh.h"
 

@@ -1,7 +1,7 @@
 // Convergence with the number of triangles, from smooth and from irregular start meshes.
 
 #include "apps/validate/Cases.h"
-#include "apps/validate/History.h"
+#include "apps/validate/Runs.h"
 
 #include "solver/dynamics/Discretization.h"
 #include "solver/dynamics/StartMesh.h"

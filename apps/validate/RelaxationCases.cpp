@@ -1,7 +1,7 @@
 // Relaxation in a fluid at rest: the theory of nearly spherical vesicles, and the energy's fall.
 
 #include "apps/validate/Cases.h"
-#include "apps/validate/History.h"
+#include "apps/validate/Runs.h"
 #include "solver/dynamics/StartMesh.h"
 
 #include "solver/mesh/shapes/Shapes.h"

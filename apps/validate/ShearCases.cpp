@@ -1,7 +1,7 @@
 // Fig. 5 of the paper: an ellipsoid in shear, without bending.
 
 #include "apps/validate/Cases.h"
-#include "apps/validate/History.h"
+#include "apps/validate/Runs.h"
 
 #include <fmt/format.h>
 

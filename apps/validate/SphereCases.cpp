@@ -1,7 +1,7 @@
 // Fig. 4 of the paper: a buoyant sphere with an inextensible membrane.
 
 #include "apps/validate/Cases.h"
-#include "apps/validate/History.h"
+#include "apps/validate/Runs.h"
 #include "solver/dynamics/StartMesh.h"
 
 #include <fmt/format.h>

@@ -5,10 +5,12 @@
 #include <fmt/format.h>
 
 #include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <sstream>
 #include <system_error>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 namespace vesicle
 {
@@ -20,7 +22,7 @@ namespace
   throw IoError(fmt::format("{}: can't be written: {}", file.string(), reason));
 }
 
-/// Half a file is worse than none.
+/// Half a file is worse than none; a device stays.
 void remove_regular(const std::filesystem::path& file)
 {
   std::error_code ignored;
@@ -30,22 +32,58 @@ void remove_regular(const std::filesystem::path& file)
   }
 }
 
-/// An error names `file`, which these bytes become in the end.
-void write_bytes(const std::filesystem::path& unfinished, const std::filesystem::path& file,
-  std::string_view bytes)
+/// 0, or the system's error number.
+int write_all(int descriptor, std::string_view bytes)
 {
-  errno = 0;
-  std::ofstream out(unfinished, std::ios::binary | std::ios::trunc);
-  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  out.close();
-  if (!out)
+  while (!bytes.empty())
   {
-    const int reason = errno;
-    remove_regular(unfinished);
-    fail(file, reason ? std::strerror(reason) : "unknown reason");
+    const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
+    if (count < 0 && errno != EINTR)
+    {
+      return errno;
+    }
+    bytes.remove_prefix(count > 0 ? static_cast<std::size_t>(count) : 0);
+  }
+  return 0;
+}
+
+enum class Until
+{
+  taken, ///< by the system
+  on_disk
+};
+
+/// An error names `file`, which the bytes written to `to` become in the end.
+void write_bytes(const std::filesystem::path& to, const std::filesystem::path& file,
+  std::string_view bytes, IfExists if_exists, Until until)
+{
+  const int mode = if_exists == IfExists::fail ? O_EXCL : O_TRUNC;
+  const int descriptor = ::open(to.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | mode, 0666);
+  if (descriptor < 0)
+  {
+    fail(file, std::generic_category().message(errno));
+  }
+  int reason = write_all(descriptor, bytes);
+  if (reason == 0 && until == Until::on_disk && ::fsync(descriptor) != 0)
+  {
+    reason = errno;
+  }
+  if (::close(descriptor) != 0 && reason == 0)
+  {
+    reason = errno;
+  }
+  if (reason != 0)
+  {
+    remove_regular(to);
+    fail(file, std::generic_category().message(reason));
   }
 }
 
+}
+
+void write_to_disk(const std::filesystem::path& file, std::string_view bytes, IfExists if_exists)
+{
+  write_bytes(file, file, bytes, if_exists, Until::on_disk);
 }
 
 std::filesystem::path unfinished_name(const std::filesystem::path& file)
@@ -79,7 +117,7 @@ void finish_file(const std::filesystem::path& file)
 
 void replace_file(const std::filesystem::path& file, std::string_view bytes)
 {
-  write_bytes(unfinished_name(file), file, bytes);
+  write_bytes(unfinished_name(file), file, bytes, IfExists::replace, Until::taken);
   finish_file(file);
 }
 

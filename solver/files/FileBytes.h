@@ -8,9 +8,18 @@
 namespace vesicle
 {
 
+enum class IfExists
+{
+  fail,
+  replace
+};
+
+/// Writes the file itself and returns when the bytes are on the disk. Throws IoError naming the
+/// file and the system's reason; a file that was begun is then removed.
+void write_to_disk(const std::filesystem::path& file, std::string_view bytes, IfExists if_exists);
+
 /// Writes beside `file` under another name, then renames: whoever reads `file` finds the old
-/// content or the new one, also after a crash. Throws IoError naming the file and the system's
-/// reason.
+/// content or the new one, also after a crash of the program. Throws IoError as above.
 void replace_file(const std::filesystem::path& file, std::string_view bytes);
 
 /// The name used for that: NAME.part.ENDING in the same folder (`file` itself where that is a

@@ -1,9 +1,9 @@
 #include "solver/state/RunFile.h"
 
 #include "solver/Errors.h"
+#include "solver/files/FileBytes.h"
 #include "solver/state/RunFileLayout.h"
 #include "solver/state/StateFields.h"
-#include "solver/state/WholeFile.h"
 
 #include <fmt/format.h>
 
@@ -180,7 +180,8 @@ struct RunFile::Impl
   void rewrite(const RunFileContents& next, std::size_t capacity)
   {
     const std::filesystem::path part = file.string() + ".part";
-    write_whole_file(part, run_file_image(next, capacity), IfExists::replace);
+    const auto image = run_file_image(next, capacity);
+    write_to_disk(part, { image.data(), image.size() }, IfExists::replace);
     try
     {
       Handle handle = open_locked(part);
@@ -289,7 +290,7 @@ RunFile RunFile::create(const std::filesystem::path& file, const Header& header)
   contents.header = header;
   contents.columns.resize(header.columns.size());
   const auto image = about(file, [&] { return run_file_image(contents, 0); });
-  write_whole_file(file, image, IfExists::fail);
+  write_to_disk(file, { image.data(), image.size() }, IfExists::fail);
   return open(file);
 }
 

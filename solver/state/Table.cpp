@@ -2,68 +2,98 @@
 
 #include "solver/Errors.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <charconv>
 #include <sstream>
 
 namespace vesicle
 {
-
 namespace
 {
 
 std::vector<std::string> cells_of(const std::string& line)
 {
-  std::vector<std::string> cells;
-  std::istringstream in(line);
-  for (std::string cell; std::getline(in, cell, ',');)
-    cells.push_back(cell);
+  std::vector<std::string> cells(1);
+  for (const char c : line)
+  {
+    if (c == ',')
+    {
+      cells.emplace_back();
+    }
+    else if (c != '\r')
+    {
+      cells.back() += c;
+    }
+  }
   return cells;
 }
 
+}
+
+std::optional<double> number_in(const std::string& cell)
+{
+  const auto first = cell.find_first_not_of(' '), last = cell.find_last_not_of(' ');
+  if (first == std::string::npos)
+  {
+    return std::nullopt;
+  }
+  double value = 0;
+  const char* const end = cell.data() + last + 1;
+  const auto [read_to, failure] = std::from_chars(cell.data() + first, end, value);
+  return failure == std::errc() && read_to == end ? std::optional(value) : std::nullopt;
 }
 
 std::vector<double> Table::column(const std::string& name) const
 {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end())
+  {
     throw InputError("table without a column '" + name + "'");
+  }
   const auto index = static_cast<std::size_t>(found - names.begin());
   std::vector<double> values;
   for (const auto& row : rows)
   {
-    std::size_t end = 0;
-    try
+    const auto value = number_in(row[index]);
+    if (!value)
     {
-      values.push_back(std::stod(row[index], &end));
-    }
-    catch (const std::logic_error&)
-    {
-      end = 0;
-    }
-    if (end == 0)
       throw InputError("table column '" + name + "': '" + row[index] + "' is not a number");
+    }
+    values.push_back(*value);
   }
   return values;
 }
 
-Table parse_table(const std::string& text)
+Table parse_table(const std::string& text, const std::string& name)
 {
   Table table;
   std::istringstream lines(text);
+  int number = 0;
   for (std::string line; std::getline(lines, line);)
   {
+    ++number;
     if (line.empty() || line.front() == '#')
+    {
       continue;
-    std::vector<std::string> cells = cells_of(line);
+    }
+    auto cells = cells_of(line);
     if (table.names.empty())
     {
-      for (std::string& name : cells)
-        table.names.push_back(name.substr(0, name.find(' ')));
+      for (const std::string& cell : cells)
+      {
+        table.names.push_back(cell.substr(0, cell.find(' ')));
+      }
       continue;
     }
     if (cells.size() != table.names.size())
-      throw InputError("table row '" + line + "' has another number of columns than the header");
+    {
+      throw InputError(fmt::format(
+        "{}:{}: has {} values for {} columns", name, number, cells.size(), table.names.size()));
+    }
     table.rows.push_back(std::move(cells));
+    table.lines.push_back(number);
   }
   return table;
 }

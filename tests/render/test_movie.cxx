@@ -3,7 +3,6 @@
 #include "TestSurfaces.h"
 
 #include "render/Ffmpeg.h"
-#include "render/FrameFile.h"
 #include "render/Movie.h"
 #include "solver/Errors.h"
 
@@ -260,23 +259,23 @@ TEST(Movie, ReadsFilesAndTheirTimes)
     writer->SetFileName(files.back().c_str());
     writer->Write();
   }
-  EXPECT_DOUBLE_EQ(*read_frame(files[1]).time, 0.5);
   EXPECT_EQ(make_movie(files, small_movie(folder / "movie")).frames, 3);
   const auto from_files = read_png(folder / "movie/frame_000001.png");
   make_movie(moving_frame, { 0, 0.5, 1 }, small_movie(folder / "movie"));
   EXPECT_LT(difference(from_files, read_png(folder / "movie/frame_000001.png")), 0.01);
 }
 
-TEST(FrameFile, RefusesWhatItCannotDraw)
+TEST(Movie, RefusesFilesThatItCannotDraw)
 {
   const TemporaryFolder folder;
-  touch(folder / "mesh.stl");
-  touch(folder / "broken.vtp");
-  touch(folder / "broken.vtk");
-  EXPECT_THROW(read_frame(folder / "mesh.stl"), InputError);
-  EXPECT_THROW(read_frame(folder / "broken.vtp"), InputError);
-  EXPECT_THROW(read_frame(folder / "broken.vtk"), InputError);
-  EXPECT_THROW(read_frame(folder / "missing.vtu"), IoError);
+  const auto draw = [&](const char* file)
+  { make_movie(std::vector<fs::path>{ folder / file }, small_movie(folder / "movie")); };
+  for (const char* file : { "mesh.txt", "broken.vtp", "broken.vtk" })
+  {
+    touch(folder / file);
+    EXPECT_THROW(draw(file), InputError) << file;
+  }
+  EXPECT_THROW(draw("missing.vtu"), IoError);
 }
 
 TEST(FrameRate, AFilmLastsFiveToFifteenSeconds)

@@ -24,6 +24,32 @@ TEST(Table, ReadsNamesTextAndNumbers)
   EXPECT_THROW(parse_table("a,b\n1\n"), InputError);
 }
 
+TEST(Table, EmptyCellsAreCellsAndLinesAreCounted)
+{
+  const Table table = parse_table("# by hand\na,b\r\n1,\r\n\n,2\n", "run.csv");
+  EXPECT_EQ(table.names, (std::vector<std::string>{ "a", "b" }));
+  EXPECT_EQ(table.rows, (std::vector<std::vector<std::string>>{ { "1", "" }, { "", "2" } }));
+  EXPECT_EQ(table.lines, (std::vector{ 3, 5 }));
+  try
+  {
+    parse_table("a,b\n1,2\n1,2,3\n", "run.csv");
+    FAIL();
+  }
+  catch (const InputError& error)
+  {
+    EXPECT_STREQ(error.what(), "run.csv:3: has 3 values for 2 columns");
+  }
+}
+
+TEST(Table, OnlyNumbersAreNumbers)
+{
+  EXPECT_EQ(number_in(" -2.5e3 "), -2500);
+  for (const char* cell : { "", " ", "two", "1.5x", "1 2", "0x10" })
+  {
+    EXPECT_FALSE(number_in(cell)) << cell;
+  }
+}
+
 TEST(Table, CubicIsExactForCubicsInsideAndPeriodic)
 {
   std::vector<double> wave;

@@ -1,16 +1,14 @@
 #pragma once
 // A simulation run to its end, with what was observed on the way.
 
-#include "render/Chart.h"
 #include "solver/dynamics/Simulation.h"
 
 #include <cmath>
 #include <functional>
 #include <memory>
-#include <string>
 #include <vector>
 
-namespace vesicle::validation
+namespace vesicle
 {
 
 struct History
@@ -22,17 +20,10 @@ struct History
   const Diagnostics& end() const { return rows.back(); }
 };
 
-/// A scene of data/scenes by its name, with overrides "table.key=value".
-Scene scene_of(const std::string& name, const std::vector<std::string>& overrides = {});
-
-/// From the scene's own start mesh, or from `start`; to the scene's end, or to the first step after
-/// `latest` (for scenes that end when they are steady).
-History simulate(const Scene& scene);
-History simulate(const Scene& scene, const TriangleMesh& start, double latest = HUGE_VAL);
-
-/// A quantity of every row against time.
-ChartLine line_of(const History& run, const std::string& label,
-  const std::function<double(const Diagnostics&)>& quantity);
+/// To the scene's end, or to the first step after `latest` in the scene's units (for scenes that
+/// end when they are steady); `watch` is told every accepted step. Throws NumericalError.
+History run_to_end(std::shared_ptr<const Simulation> simulation, double latest = HUGE_VAL,
+  const std::function<void(const Diagnostics&)>& watch = {});
 
 /// Largest normal and tangential speed of the fluid at the vertices against the centroid, in r0 a
 /// time unit μr0³/EB.

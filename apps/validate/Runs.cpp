@@ -1,0 +1,45 @@
+#include "apps/validate/Runs.h"
+
+#include "apps/Progress.h"
+#include "apps/validate/Data.h"
+
+#include "solver/dynamics/StartMesh.h"
+#include "solver/scene/SceneFile.h"
+
+#include <unistd.h>
+
+namespace vesicle::validation
+{
+
+Scene scene_of(const std::string& name, const std::vector<std::string>& overrides)
+{
+  const std::string file = "scenes/" + name + ".toml";
+  return parse_scene(data_file(file), "data/" + file, ".", overrides);
+}
+
+History simulate(const Scene& scene)
+{
+  return simulate(scene, make_start_mesh(scene));
+}
+
+History simulate(const Scene& scene, const TriangleMesh& start, double latest)
+{
+  Progress progress(!isatty(STDOUT_FILENO), 0, scene.time.end);
+  return run_to_end(std::make_shared<Simulation>(scene, start), latest,
+    [&](const Diagnostics& diagnostics) { progress.step(diagnostics); });
+}
+
+ChartLine line_of(const History& run, const std::string& label,
+  const std::function<double(const Diagnostics&)>& quantity)
+{
+  ChartLine line;
+  line.label = label;
+  for (const Diagnostics& d : run.rows)
+  {
+    line.x.push_back(d.time);
+    line.y.push_back(quantity(d));
+  }
+  return line;
+}
+
+}
