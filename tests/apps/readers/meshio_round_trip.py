@@ -38,7 +38,7 @@ for ending in ("vtu", "vtk", "obj", "off", "ply", "stl"):
 for ending in ("vtu", "obj", "off", "ply", "stl"):
     file = "shape." + ending
     subprocess.run([program, "shape", "oblate", "--reduced-volume", "0.9", "--triangles", "320",
-                    "-o", file], check=True, stdout=subprocess.DEVNULL)
+                    "--basis", "linear", "-o", file], check=True, stdout=subprocess.DEVNULL)
     mesh = meshio.read(file)
     assert mesh.points.shape == (162, 3), file
     corners = mesh.points[mesh.cells_dict["triangle"]]
