@@ -2,6 +2,7 @@
 
 #include "solver/flow/Extension.h"
 #include "solver/flow/Poiseuille.h"
+#include "solver/flow/Rotation.h"
 #include "solver/flow/Shear.h"
 #include "solver/flow/Uniform.h"
 
@@ -18,6 +19,7 @@ const std::vector<const FlowKind*>& flow_kinds()
     &Extension::description(Extension::Type::planar),
     &Extension::description(Extension::Type::axisymmetric),
     &Poiseuille::description(),
+    &Rotation::description(),
   };
   return kinds;
 }

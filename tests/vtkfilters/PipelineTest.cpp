@@ -119,8 +119,8 @@ void expect_printed(vtkObject* object, std::initializer_list<const char*> names)
 }
 
 const auto scene_properties = { "BendingRigidity", "Incompressible", "Viscosity", "FlowKind",
-  "FlowRate", "FlowVelocity", "FlowRadius", "FlowCenter", "BondNumber", "DensityDifference",
-  "Acceleration", "Preset" };
+  "FlowRate", "FlowVelocity", "FlowRadius", "FlowCenter", "FlowAxis", "BondNumber",
+  "DensityDifference", "Acceleration", "Preset" };
 
 }
 

@@ -67,7 +67,7 @@ std::shared_ptr<const vesicle::ImposedFlow> vtkVesicleSceneAlgorithm::MakeFlow()
 {
   const std::map<std::string, const double*> properties{ { "rate", &this->FlowRate },
     { "velocity", this->FlowVelocity }, { "radius", &this->FlowRadius },
-    { "center", this->FlowCenter } };
+    { "center", this->FlowCenter }, { "axis", this->FlowAxis } };
   return vesicle::flow_of(this->FlowKind,
     [&](const std::string& parameter, std::span<double> values)
     { std::copy_n(properties.at(parameter), values.size(), values.begin()); });
@@ -86,6 +86,7 @@ void vtkVesicleSceneAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   print("FlowVelocity", this->FlowVelocity);
   os << indent << "FlowRadius: " << this->FlowRadius << '\n';
   print("FlowCenter", this->FlowCenter);
+  print("FlowAxis", this->FlowAxis);
   os << indent << "BondNumber: " << this->BondNumber << '\n';
   os << indent << "DensityDifference: " << this->DensityDifference << '\n';
   os << indent << "Acceleration: " << this->Acceleration << '\n';

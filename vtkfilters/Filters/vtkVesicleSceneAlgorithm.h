@@ -40,7 +40,8 @@ public:
     Shear,                 ///< u = rate z e_x
     PlanarExtension,       ///< u = rate (x e_x − z e_z)
     AxisymmetricExtension, ///< u = rate (z e_z − x/2 e_x − y/2 e_y)
-    Poiseuille             ///< u = velocity (1 − d²/radius²), d the distance to the tube's axis
+    Poiseuille,            ///< u = velocity (1 − d²/radius²), d the distance to the tube's axis
+    Rotation               ///< u = rate axis × x
   };
 
   enum Presets
@@ -80,13 +81,13 @@ public:
   /**
    * The flow far away, one of FlowKinds. Default: AtRest.
    */
-  vtkSetClampMacro(FlowKind, int, AtRest, Poiseuille);
+  vtkSetClampMacro(FlowKind, int, AtRest, Rotation);
   vtkGetMacro(FlowKind, int);
   ///@}
 
   ///@{
   /**
-   * Rate of Shear and extensions, 1 over a time, of any sign. Default: 1.
+   * Rate of Shear, extensions and Rotation, 1 over a time, of any sign. Default: 1.
    */
   vtkSetMacro(FlowRate, double);
   vtkGetMacro(FlowRate, double);
@@ -116,6 +117,14 @@ public:
    */
   vtkSetVector3Macro(FlowCenter, double);
   vtkGetVector3Macro(FlowCenter, double);
+  ///@}
+
+  ///@{
+  /**
+   * The axis of Rotation, through the origin, of any length but 0. Default: (0, 0, 1).
+   */
+  vtkSetVector3Macro(FlowAxis, double);
+  vtkGetVector3Macro(FlowAxis, double);
   ///@}
 
   ///@{
@@ -172,6 +181,7 @@ protected:
   double FlowVelocity[3] = { 1, 0, 0 };
   double FlowRadius = 5;
   double FlowCenter[3] = { 0, 0, 0 };
+  double FlowAxis[3] = { 0, 0, 1 };
   double BondNumber = 0;
   double DensityDifference = 0;
   double Acceleration = 1;
