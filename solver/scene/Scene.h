@@ -2,7 +2,9 @@
 // What to model. Plain data in the units of the scene (dimensionless or SI alike); see
 // data/scenes/ for examples and SceneFile.h for the TOML format.
 
+#include "solver/dynamics/Method.h"
 #include "solver/flow/ImposedFlow.h"
+#include "solver/membrane/BendingScheme.h"
 #include "solver/mesh/shapes/Shapes.h"
 #include "solver/surface/SurfaceBasis.h"
 
@@ -71,39 +73,10 @@ struct Scene
     accurate
   };
   using Basis = SurfaceBasis;
-  enum class Bending
-  {
-    cotan,
-    fit,
-    variational
-  };
-  enum class Integrator
-  {
-    imex_midpoint,
-    imex_euler
-  };
-  enum class MeshMotion
-  {
-    equidistribute,
-    material
-  };
-  enum class Operator
-  {
-    automatic,
-    dense,
-    direct,
-    tree
-  };
-  enum class Precision
-  {
-    double_precision,
-    single_precision
-  };
-  enum class Scheme
-  {
-    paper, ///< loads, tension and projector as printed (misprints corrected)
-    robust ///< Galerkin loads, adjoint tension, volume row (numerics of the README)
-  };
+  using Bending = BendingScheme;
+  using Integrator = vesicle::Integrator;
+  using MeshMotion = vesicle::MeshMotion;
+  using Scheme = vesicle::Scheme;
   struct Accuracy
   {
     Preset preset = Preset::balanced;
@@ -112,10 +85,8 @@ struct Scene
     Bending bending = Bending::variational;
     Integrator integrator = Integrator::imex_midpoint;
     MeshMotion mesh_motion = MeshMotion::equidistribute;
-    Operator stokes_operator = Operator::automatic; ///< key `operator`
     int quadrature = 3;              ///< points a triangle of the regular rule: 1, 3, 6 or 12
     double linear_tolerance = 1e-10; ///< relative residual of the linear solves
-    Precision precision = Precision::double_precision;
   } accuracy;
   /// The settings that a preset stands for.
   static Accuracy preset(Preset preset);

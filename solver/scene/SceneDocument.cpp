@@ -6,7 +6,6 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <map>
 #include <string_view>
 
 namespace vesicle
@@ -238,10 +237,11 @@ const SceneDocument::Table* SceneDocument::find_table(const std::string& table) 
   return nullptr;
 }
 
-SceneDocument parse_document(
-  const std::string& text, const std::string& name, const std::vector<std::string>& overrides)
+SceneDocument parse_document(const std::string& text, const std::string& name,
+  const std::filesystem::path& folder, const std::vector<std::string>& overrides)
 {
   SceneDocument document = parse_file(text, name);
+  document.folder = folder;
   for (const auto& change : overrides)
   {
     apply_override(document, change);

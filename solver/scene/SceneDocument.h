@@ -1,8 +1,9 @@
 #pragma once
 // A scene's TOML as a list of "table.key = value" that knows where each of them stands: in a line
-// of the file or on the command line. What the keys mean is SceneFile.cpp's matter.
+// of the file or on the command line. What the keys mean is the schema's matter.
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <variant>
 #include <vector>
@@ -40,9 +41,10 @@ struct SceneDocument
     std::string where;
   };
 
-  std::string name;           ///< of the file, for messages
-  std::vector<Table> tables;  ///< in the order of the file
-  std::vector<Entry> entries; ///< in the order of the file
+  std::string name;             ///< of the file, for messages
+  std::filesystem::path folder; ///< that relative paths start from
+  std::vector<Table> tables;    ///< in the order of the file
+  std::vector<Entry> entries;   ///< in the order of the file
 
   const SceneValue* find(const std::string& table, const std::string& key) const;
   const Table* find_table(const std::string& table) const;
@@ -50,7 +52,7 @@ struct SceneDocument
 
 /// Throws InputError "name:line: …" where the text isn't TOML, "--set …: …" where an override isn't
 /// of the form table.key=value.
-SceneDocument parse_document(
-  const std::string& text, const std::string& name, const std::vector<std::string>& overrides);
+SceneDocument parse_document(const std::string& text, const std::string& name,
+  const std::filesystem::path& folder, const std::vector<std::string>& overrides);
 
 }

@@ -17,8 +17,6 @@ struct NamedChoice
 {
   std::string_view name;
   Choice choice;
-  /// False for what the format knows and this version can't do yet: refused when read.
-  bool available = true;
 };
 
 inline constexpr std::array preset_names{
@@ -35,7 +33,6 @@ inline constexpr std::array basis_names{
 
 inline constexpr std::array bending_names{
   NamedChoice{ "cotan", Scene::Bending::cotan },
-  NamedChoice{ "fit", Scene::Bending::fit, false },
   NamedChoice{ "variational", Scene::Bending::variational },
 };
 
@@ -47,18 +44,6 @@ inline constexpr std::array integrator_names{
 inline constexpr std::array mesh_motion_names{
   NamedChoice{ "equidistribute", Scene::MeshMotion::equidistribute },
   NamedChoice{ "material", Scene::MeshMotion::material },
-};
-
-inline constexpr std::array operator_names{
-  NamedChoice{ "auto", Scene::Operator::automatic },
-  NamedChoice{ "dense", Scene::Operator::dense },
-  NamedChoice{ "direct", Scene::Operator::direct, false },
-  NamedChoice{ "tree", Scene::Operator::tree, false },
-};
-
-inline constexpr std::array precision_names{
-  NamedChoice{ "double", Scene::Precision::double_precision },
-  NamedChoice{ "single", Scene::Precision::single_precision, false },
 };
 
 inline constexpr std::array shape_kinds{

@@ -183,31 +183,14 @@ std::string TableReader::word(
 }
 
 std::size_t TableReader::choose(
-  const std::string& key, const SceneValue& value, const std::vector<Word>& words) const
+  const std::string& key, const SceneValue& value, const std::vector<std::string>& words) const
 {
-  std::vector<std::string> available;
-  for (const auto& candidate : words)
-  {
-    if (candidate.available)
-    {
-      available.push_back(candidate.name);
-    }
-  }
-  const std::string allowed = listed_in_quotes(available);
+  const std::string allowed = listed_in_quotes(words);
   const std::string name = word(key, value, allowed);
-  const auto found = std::find_if(
-    words.begin(), words.end(), [&](const Word& candidate) { return candidate.name == name; });
+  const auto found = std::find(words.begin(), words.end(), name);
   if (found == words.end())
-  {
-    const std::string problem =
-      fmt::format("can't be \"{}\"{}", name, suggestion(name, available, '"'));
-    fail_at(value.where, key, problem, allowed);
-  }
-  if (!found->available)
-  {
-    fail_at(
-      value.where, key, fmt::format("\"{}\" is not available in this version", name), allowed);
-  }
+    fail_at(value.where, key, fmt::format("can't be \"{}\"{}", name, suggestion(name, words, '"')),
+      allowed);
   return static_cast<std::size_t>(found - words.begin());
 }
 
@@ -263,12 +246,7 @@ void TableReader::read(
   {
     return;
   }
-  std::vector<Word> choices;
-  for (const auto& name : words)
-  {
-    choices.push_back({ name, true });
-  }
-  target = words[choose(key, at(key), choices)];
+  target = words[choose(key, at(key), words)];
 }
 
 void TableReader::read(const std::string& key, std::vector<std::string>& target,
@@ -278,15 +256,10 @@ void TableReader::read(const std::string& key, std::vector<std::string>& target,
   {
     return;
   }
-  std::vector<Word> choices;
-  for (const auto& name : words)
-  {
-    choices.push_back({ name, true });
-  }
   target.clear();
   for (const auto& item : items(key, at(key), 0, "an array of " + listed_in_quotes(words)))
   {
-    target.push_back(words[choose(key, item, choices)]);
+    target.push_back(words[choose(key, item, words)]);
   }
 }
 

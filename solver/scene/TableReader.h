@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -43,6 +44,8 @@ public:
   /// Whether the scene has the table.
   bool given() const;
   bool has(const std::string& key) const;
+  /// The folder that relative paths start from.
+  const std::filesystem::path& folder() const { return document_.folder; }
 
   /// Refuses keys that aren't in `keys`, naming the nearest one that is.
   void check_keys(const std::vector<std::string>& keys) const;
@@ -92,18 +95,13 @@ public:
     const std::string& problem, const std::string& allowed) const;
 
 private:
-  struct Word
-  {
-    std::string name;
-    bool available;
-  };
   std::string path(const std::string& key) const;
   std::string place() const;
   std::string word(
     const std::string& key, const SceneValue& value, const std::string& allowed) const;
   /// The index of the word that the value is.
   std::size_t choose(
-    const std::string& key, const SceneValue& value, const std::vector<Word>& words) const;
+    const std::string& key, const SceneValue& value, const std::vector<std::string>& words) const;
 
   const SceneDocument& document_;
   std::string table_;
@@ -130,14 +128,10 @@ void TableReader::read(
   const std::string& key, Choice& target, const std::array<NamedChoice<Choice>, n>& choices) const
 {
   if (!has(key))
-  {
     return;
-  }
-  std::vector<Word> words;
+  std::vector<std::string> words;
   for (const auto& choice : choices)
-  {
-    words.push_back({ std::string(choice.name), choice.available });
-  }
+    words.emplace_back(choice.name);
   target = choices[choose(key, at(key), words)].choice;
 }
 

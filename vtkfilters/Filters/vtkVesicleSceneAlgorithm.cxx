@@ -5,9 +5,10 @@
 #include "solver/Errors.h"
 #include "solver/flow/FlowKinds.h"
 #include "solver/flow/FlowNumbers.h"
+#include "solver/scene/SceneNames.h"
+#include "solver/scene/SceneSchema.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <string>
 
@@ -15,11 +16,6 @@ namespace
 {
 
 using vesicle::Scene;
-
-// In the order of Presets.
-constexpr std::array presets{ Scene::Preset::paper, Scene::Preset::fast, Scene::Preset::balanced,
-  Scene::Preset::accurate };
-constexpr const char* preset_names[] = { "paper", "fast", "balanced", "accurate" };
 
 std::string flow_title(int kind)
 {
@@ -38,13 +34,17 @@ void require(bool condition, const char* what)
 
 Scene vtkVesicleSceneAlgorithm::MakeScene()
 {
-  require(this->Viscosity > 0, "Viscosity must be above 0");
-  require(this->FlowKind != Poiseuille || this->FlowRadius > 0, "FlowRadius must be above 0");
+  require(
+    vesicle::scene_key("fluid", "viscosity").allows(this->Viscosity), "Viscosity must be above 0");
+  require(
+    this->FlowKind != Poiseuille || vesicle::scene_key("flow", "radius").allows(this->FlowRadius),
+    "FlowRadius must be above 0");
   require(this->BondNumber == 0 || this->BendingRigidity > 0,
     "a BondNumber takes a BendingRigidity above 0; without bending give DensityDifference");
   Scene scene;
-  scene.accuracy = Scene::preset(presets[this->Preset]);
-  scene.time.tolerance = Scene::preset_tolerance(presets[this->Preset]);
+  const Scene::Preset preset = vesicle::preset_names[this->Preset].choice; // in the same order
+  scene.accuracy = Scene::preset(preset);
+  scene.time.tolerance = Scene::preset_tolerance(preset);
   if (this->BendingRigidity > 0)
   {
     scene.membrane.bending_rigidity = this->BendingRigidity;
@@ -90,5 +90,5 @@ void vtkVesicleSceneAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BondNumber: " << this->BondNumber << '\n';
   os << indent << "DensityDifference: " << this->DensityDifference << '\n';
   os << indent << "Acceleration: " << this->Acceleration << '\n';
-  os << indent << "Preset: " << preset_names[this->Preset] << '\n';
+  os << indent << "Preset: " << vesicle::preset_names[this->Preset].name << '\n';
 }

@@ -62,11 +62,10 @@ TEST(ScenePresets, KnobsOverrideThePreset)
 {
   const auto accuracy =
     scene_with("accuracy.quadrature = 12\naccuracy.preset = \"paper\"\naccuracy.integrator = "
-               "\"imex-midpoint\"\naccuracy.operator = \"dense\"")
+               "\"imex-midpoint\"")
       .accuracy;
   EXPECT_EQ(accuracy.preset, Scene::Preset::paper);
   EXPECT_EQ(accuracy.quadrature, 12);
   EXPECT_EQ(accuracy.integrator, Scene::Integrator::imex_midpoint);
   EXPECT_EQ(accuracy.mesh_motion, Scene::MeshMotion::material);
-  EXPECT_EQ(accuracy.stokes_operator, Scene::Operator::dense);
 }

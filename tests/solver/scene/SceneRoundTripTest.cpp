@@ -76,10 +76,8 @@ void expect_same(const Scene& a, const Scene& b)
   EXPECT_EQ(a.accuracy.bending, b.accuracy.bending);
   EXPECT_EQ(a.accuracy.integrator, b.accuracy.integrator);
   EXPECT_EQ(a.accuracy.mesh_motion, b.accuracy.mesh_motion);
-  EXPECT_EQ(a.accuracy.stokes_operator, b.accuracy.stokes_operator);
   EXPECT_EQ(a.accuracy.quadrature, b.accuracy.quadrature);
   EXPECT_EQ(a.accuracy.linear_tolerance, b.accuracy.linear_tolerance);
-  EXPECT_EQ(a.accuracy.precision, b.accuracy.precision);
 
   EXPECT_EQ(a.movie.color, b.movie.color);
   EXPECT_EQ(a.movie.range, b.movie.range);
@@ -223,10 +221,8 @@ TEST(SceneRoundTrip, EverySetting)
     bending = "cotan"
     integrator = "imex-euler"
     mesh_motion = "material"
-    operator = "dense"
     quadrature = 12
     linear_tolerance = 1e-8
-    precision = "double"
     [movie]
     color = "Tension"
     range = [-1, 2.5]

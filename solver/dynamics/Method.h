@@ -1,0 +1,27 @@
+#pragma once
+// The choices that a user has in the method.
+
+namespace vesicle
+{
+
+/// How loads, tension and projection are discretised on flat triangles.
+enum class Scheme
+{
+  paper, ///< as printed (misprints corrected)
+  robust ///< Galerkin loads, adjoint tension, volume row (numerics of the README)
+};
+
+enum class Integrator
+{
+  imex_midpoint, ///< second order in time
+  imex_euler     ///< first order, paper (40)
+};
+
+/// How nodes move along the membrane.
+enum class MeshMotion
+{
+  equidistribute, ///< keeping their distances
+  material        ///< with the lipids
+};
+
+}

@@ -1,0 +1,14 @@
+#pragma once
+
+namespace vesicle
+{
+
+/// Where the bending force comes from.
+enum class BendingScheme
+{
+  cotan,      ///< cotangent formulas on flat triangles (Bending.h)
+  fit,        ///< fitted quadrics: right on any mesh, but the gradient of no energy of the mesh
+  variational ///< the energy's own gradient on the Loop surface (SurfaceBending.h)
+};
+
+}

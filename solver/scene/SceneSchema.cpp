@@ -1,0 +1,315 @@
+#include "solver/scene/SceneSchema.h"
+
+#include "solver/scene/SceneRules.h"
+
+#include <algorithm>
+
+namespace vesicle
+{
+namespace
+{
+
+constexpr NumberRule below_one{ [](double x) { return x > 0 && x < 1; }, "a number > 0 and < 1" };
+constexpr IntegerRule quadrature_points{
+  [](int n) { return n == 1 || n == 3 || n == 6 || n == 12; }, "1, 3, 6, 12"
+};
+constexpr IntegerRule pixels{ [](int n) { return n >= 16 && n <= 16384; },
+  "an integer from 16 to 16384" };
+
+bool usable_in_file_names(char c)
+{
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+    c == '.' || c == '-';
+}
+
+/// A name that becomes that of folders and files.
+struct FileName
+{
+  void read(const TableReader& table, const std::string& key, std::string& target) const
+  {
+    table.read(key, target);
+    const bool usable = !target.empty() && target != "." && target != ".." &&
+      std::all_of(target.begin(), target.end(), usable_in_file_names);
+    if (!usable)
+      table.fail(key, fmt::format("\"{}\" can't be used as a file name", target), allowed());
+  }
+  std::string write(const std::string& value) const { return to_toml(value); }
+  std::string allowed() const { return "letters, digits, '_', '.', '-'"; }
+};
+
+/// A scene that gives no name has its file's, without the ending.
+void default_name(const SceneDocument& document, Scene& scene)
+{
+  if (document.find("", "name"))
+    return;
+  std::string name = std::filesystem::path(document.name).stem().string();
+  std::replace_if(
+    name.begin(), name.end(), [](char c) { return !usable_in_file_names(c); }, '-');
+  scene.name = name.empty() || name == "." || name == ".." ? "vesicle" : name;
+}
+
+/// Two numbers, the first below the second.
+struct Interval
+{
+  void read(const TableReader& table, const std::string& key,
+    std::optional<std::array<double, 2>>& target) const
+  {
+    table.read(key, target, any_number);
+    if (!((*target)[0] < (*target)[1]))
+      table.fail(key, "its first number must be below its second", allowed());
+  }
+  std::string write(const std::optional<std::array<double, 2>>& value) const
+  {
+    return to_toml(value);
+  }
+  std::string allowed() const { return "[a, b] with a < b"; }
+};
+
+struct PictureSize
+{
+  void read(const TableReader& table, const std::string& key, std::array<int, 2>& target) const
+  {
+    const auto& size = table.items(key, table.at(key), 2, allowed());
+    target = { table.integer(key, size[0], pixels), table.integer(key, size[1], pixels) };
+  }
+  std::string write(const std::array<int, 2>& value) const { return to_toml(value); }
+  std::string allowed() const { return std::string("[width, height], each ") + pixels.allowed; }
+};
+
+SceneTable top_table()
+{
+  SceneTable table;
+  table.help = "At the top, before the tables:";
+  table.keys = {
+    key("name", at(&Scene::name), FileName{}, "", "of the folder and the files of a run")
+      .otherwise("the scene's file's, without the ending")
+      .followed_by(default_name),
+  };
+  return table;
+}
+
+SceneTable membrane_table()
+{
+  using Membrane = Scene::Membrane;
+  const NumberRule rigidity{ positive.holds, "a number > 0; leave the key out for no bending" };
+  SceneTable table;
+  table.name = "membrane";
+  table.help = "What the membrane resists.";
+  table.keys = {
+    key("bending_rigidity", at(&Scene::membrane, &Membrane::bending_rigidity),
+      rules::Number{ rigidity }, "energy", "EB of the energy E = (EB/2) ∮ (2H)² dS")
+      .otherwise("no bending"),
+    key("incompressible", at(&Scene::membrane, &Membrane::incompressible), rules::Flag{}, "",
+      "a tension keeps the area of every patch; false: no tension"),
+  };
+  return table;
+}
+
+SceneTable fluid_table()
+{
+  SceneTable table;
+  table.name = "fluid";
+  table.help = "The fluid, the same inside and outside.";
+  table.keys = {
+    key("viscosity", at(&Scene::fluid, &Scene::Fluid::viscosity), rules::Number{ positive },
+      "pressure × time", "μ"),
+  };
+  return table;
+}
+
+/// Either a Bond number or both of the others.
+SceneTable::Variant gravity_variant(const SceneTable&, const TableReader& table)
+{
+  const bool by_density = table.has("density_difference") || table.has("acceleration");
+  if (table.has("bond_number") && by_density)
+    table.fail("bond_number", "contradicts 'density_difference' and 'acceleration'",
+      "bond_number, or both density_difference and acceleration");
+  return { by_density ? "density" : "bond", "" };
+}
+
+SceneTable gravity_table()
+{
+  const auto in_gravity = [](auto member)
+  {
+    return [=](auto& scene) -> auto&
+    {
+      return (*scene.gravity).*member;
+    };
+  };
+  const auto by_density = [](const Scene& scene) { return !scene.gravity->bond_number; };
+  const std::string either = "bond_number, or both density_difference and acceleration";
+  using Gravity = Scene::Gravity;
+  SceneTable table;
+  table.name = "gravity";
+  table.help = "The load Δρ g z n on the membrane: bond_number, or both of the others. Without the "
+               "table there is none.";
+  table.keys = {
+    key("bond_number", in_gravity(&Gravity::bond_number), rules::Number{}, "",
+      "Bo = Δρ g r0⁴/EB; above 0 the vesicle rises along +z")
+      .required(either, { "bond" }),
+    key("density_difference", in_gravity(&Gravity::density_difference), rules::Number{},
+      "mass / volume", "Δρ, outside less inside; above 0 the vesicle rises")
+      .required(either, { "density" })
+      .written_if(by_density),
+    key("acceleration", in_gravity(&Gravity::acceleration), rules::Number{}, "length / time²",
+      "g, along −z")
+      .required(either, { "density" })
+      .written_if(by_density),
+  };
+  table.variant_in = gravity_variant;
+  table.present = [](const Scene& scene) { return scene.gravity.has_value(); };
+  table.create = [](Scene& scene) { scene.gravity.emplace(); };
+  return table;
+}
+
+SceneTable time_table()
+{
+  using Time = Scene::Time;
+  SceneTable table;
+  table.name = "time";
+  table.help = "How long, how often, how exactly.";
+  SceneKey output_every =
+    key("output_every", at(&Scene::time, &Time::output_every), rules::Number{ positive }, "time",
+      "what lies between two frames; its multiples are hit exactly")
+      .required();
+  // In memory 0 stands for "only start and end", which a file says with the end itself.
+  output_every.write = [](const Scene& scene)
+  {
+    const Time& time = scene.time;
+    return to_toml(time.output_every == 0 && time.end ? *time.end : time.output_every);
+  };
+  table.keys = {
+    key("end", at(&Scene::time, &Time::end), rules::NumberOr{ "steady", positive }, "time",
+      "of the run; \"steady\": when the shape stays what it is")
+      .required(),
+    output_every,
+    key("step", at(&Scene::time, &Time::step), rules::NumberOr{ "auto", positive }, "time",
+      "of every step; \"auto\": as the tolerance allows"),
+    key("tolerance", at(&Scene::time, &Time::tolerance), rules::Number{ positive }, "r0",
+      "error of a position in a step, with step = \"auto\"; 1e-4 with the preset \"accurate\""),
+  };
+  return table;
+}
+
+/// What a preset stands for, unless the scene says otherwise.
+void apply_preset(const SceneDocument& document, Scene& scene)
+{
+  const Scene::Preset preset = scene.accuracy.preset;
+  scene.accuracy = Scene::preset(preset);
+  if (!document.find("time", "tolerance"))
+    scene.time.tolerance = Scene::preset_tolerance(preset);
+}
+
+void check_accuracy(const TableReader& table, const Scene& scene)
+{
+  const Scene::Accuracy& accuracy = scene.accuracy;
+  if (accuracy.scheme == Scene::Scheme::paper && accuracy.basis != Scene::Basis::linear)
+    table.fail("basis", "the paper's scheme is one of linear elements", "\"linear\"");
+  if (accuracy.bending != Scene::bending_of(accuracy.basis))
+    table.fail("bending", "doesn't go with the basis",
+      "\"cotan\" with basis \"linear\", \"variational\" with \"loop\"");
+}
+
+SceneTable accuracy_table()
+{
+  using Accuracy = Scene::Accuracy;
+  SceneTable table;
+  table.name = "accuracy";
+  table.help = "How surface, forces and time are discretised: a preset, and changes to it.";
+  table.keys = {
+    key("preset", at(&Scene::accuracy, &Accuracy::preset), rules::Choice{ preset_names }, "",
+      "\"paper\": flat elements, forces as the paper prints them (misprints corrected); \"fast\": "
+      "flat elements, forces in weak form; \"balanced\": Loop's limit surface; \"accurate\": the "
+      "same with a finer quadrature and a tighter tolerance")
+      .followed_by(apply_preset),
+    key("basis", at(&Scene::accuracy, &Accuracy::basis), rules::Choice{ basis_names }, "",
+      "of the surface: flat triangles or Loop's limit surface; \"linear\" with the presets "
+      "\"paper\" and \"fast\"")
+      .followed_by([](const SceneDocument&, Scene& scene)
+        { scene.accuracy.bending = Scene::bending_of(scene.accuracy.basis); }),
+    key("bending", at(&Scene::accuracy, &Accuracy::bending), rules::Choice{ bending_names }, "",
+      "scheme of the bending force: \"cotan\" with basis \"linear\", \"variational\" with "
+      "\"loop\""),
+    key("integrator", at(&Scene::accuracy, &Accuracy::integrator),
+      rules::Choice{ integrator_names }, "",
+      "of second or first order in time; \"imex-euler\" with the preset \"paper\""),
+    key("mesh_motion", at(&Scene::accuracy, &Accuracy::mesh_motion),
+      rules::Choice{ mesh_motion_names }, "",
+      "whether vertices keep their distances along the membrane or move with its lipids; "
+      "\"material\" with the preset \"paper\""),
+    key("quadrature", at(&Scene::accuracy, &Accuracy::quadrature),
+      rules::Integer{ quadrature_points }, "",
+      "points a triangle of the regular rule; 6 with the preset \"accurate\""),
+    key("linear_tolerance", at(&Scene::accuracy, &Accuracy::linear_tolerance),
+      rules::Number{ below_one }, "", "relative residual of the linear solves"),
+  };
+  table.check = check_accuracy;
+  return table;
+}
+
+SceneTable movie_table()
+{
+  using Movie = Scene::Movie;
+  SceneTable table;
+  table.name = "movie";
+  table.help = "The pictures of a run.";
+  table.keys = {
+    key("color", at(&Scene::movie, &Movie::color), rules::Word{ field_names }, "",
+      "point array that colours the membrane, vectors by magnitude"),
+    key("range", at(&Scene::movie, &Movie::range), Interval{}, "that of the array",
+      "ends of the colours")
+      .otherwise("the whole movie's but for outliers"),
+    key("size", at(&Scene::movie, &Movie::size), PictureSize{}, "pixels", "of a picture"),
+    key("view", at(&Scene::movie, &Movie::view), rules::Word{ view_names }, "",
+      "\"front\": x to the right, z up"),
+    key("camera", at(&Scene::movie, &Movie::camera), rules::Word{ camera_names }, "",
+      "whether it follows the centroid"),
+    key("smooth", at(&Scene::movie, &Movie::smooth), rules::Flag{}, "",
+      "the Loop surface through the points, for display"),
+    key("arrows", at(&Scene::movie, &Movie::arrows), rules::Flag{}, "",
+      "the flow of lipids along the membrane"),
+    key("edges", at(&Scene::movie, &Movie::edges), rules::Flag{}, "", "the mesh"),
+    key("chart", at(&Scene::movie, &Movie::chart), rules::Word{ chart_names }, "",
+      "a quantity against time, at the side"),
+  };
+  return table;
+}
+
+SceneTable output_table()
+{
+  using Output = Scene::Output;
+  SceneTable table;
+  table.name = "output";
+  table.help = "What a run leaves behind.";
+  table.keys = {
+    key("fields", at(&Scene::output, &Output::fields), rules::Words{ field_names }, "",
+      "point arrays of the frames; empty: all that there are"),
+    key("directory", at(&Scene::output, &Output::directory), rules::Path{ "the path of a folder" },
+      "", "where to")
+      .otherwise("./<name>"),
+  };
+  return table;
+}
+
+}
+
+const std::vector<SceneTable>& scene_schema()
+{
+  static const std::vector<SceneTable> tables{ top_table(), vesicle_table(), membrane_table(),
+    fluid_table(), flow_table(), gravity_table(), time_table(), accuracy_table(), movie_table(),
+    output_table() };
+  return tables;
+}
+
+const SceneKey& scene_key(const std::string& table, const std::string& name)
+{
+  const auto& tables = scene_schema();
+  const auto& keys = std::find_if(tables.begin(), tables.end(),
+    [&](const SceneTable& candidate) {
+      return candidate.name == table;
+    })->keys;
+  return *std::find_if(
+    keys.begin(), keys.end(), [&](const SceneKey& candidate) { return candidate.name == name; });
+}
+
+}
