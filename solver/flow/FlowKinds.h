@@ -1,5 +1,8 @@
 #pragma once
-// The kinds of flow that there are.
+// The kinds of flow that there are. To add one: a class in a file pair of this folder that
+// describes itself (Shear is the simplest), and a line in the list of FlowKinds.cpp. Scenes, data
+// sets, pictures and the reference page follow; for a property of the VTK classes its name goes
+// into vtkVesicleSceneAlgorithm::FlowKinds and into ParaView's list.
 
 #include "solver/flow/FlowKind.h"
 

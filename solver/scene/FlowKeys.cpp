@@ -4,6 +4,8 @@
 #include "solver/scene/SceneRules.h"
 #include "solver/scene/SceneSchema.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 namespace vesicle
@@ -63,7 +65,7 @@ SceneKey kind_key()
 {
   SceneKey key;
   key.name = "kind";
-  key.allowed = rules::one_of(names());
+  key.allowed = in_quotes(names());
   key.help = "of the flow";
   key.read = [](const TableReader& table, Scene& scene) { scene.flow = chosen_kind(table).make(); };
   key.write = [](const Scene& scene) { return to_toml(scene.flow->kind().name); };
@@ -78,7 +80,7 @@ SceneKey type_key(const std::string& name)
     described.push_back(fmt::format("\"{}\" ({})", kind->type, kind->axes));
   SceneKey key;
   key.name = "type";
-  key.allowed = rules::one_of(types_of(name));
+  key.allowed = in_quotes(types_of(name));
   key.help = "which one, and along which axes";
   key.read = [](const TableReader&, Scene&) {};
   key.write = [](const Scene& scene) { return to_toml(scene.flow->kind().type); };
@@ -153,7 +155,7 @@ SceneTable::Variant variant_in(const SceneTable& flow, const TableReader& table)
   if (!table.has("kind"))
   {
     table.check_keys(flow.names());
-    table.fail("kind", "is missing", rules::one_of(names()));
+    table.fail("kind", "is missing", in_quotes(names()));
   }
   std::string name;
   table.read("kind", name, names());

@@ -42,34 +42,22 @@ SceneValue convert(const toml::node& node, const Place& place)
   SceneValue result;
   result.where = place(node);
   if (const auto* flag = node.as_boolean())
-  {
     result.data = flag->get();
-  }
   else if (const auto* integer = node.as_integer())
-  {
     result.data = static_cast<std::int64_t>(integer->get());
-  }
   else if (const auto* number = node.as_floating_point())
-  {
     result.data = number->get();
-  }
   else if (const auto* text = node.as_string())
-  {
     result.data = text->get();
-  }
   else if (const auto* array = node.as_array())
   {
     SceneValue::Array items;
     for (const toml::node& item : *array)
-    {
       items.push_back(convert(item, place));
-    }
     result.data = std::move(items);
   }
   else
-  {
     result.data = SceneValue::Other{ node.is_table() ? "a table" : "a date or time" };
-  }
   return result;
 }
 
@@ -83,9 +71,7 @@ std::vector<std::pair<std::string, const toml::node*>> in_file_order(const toml:
 {
   std::vector<std::pair<std::string, const toml::node*>> nodes;
   for (const auto& [key, node] : table)
-  {
     nodes.emplace_back(std::string(key.str()), &node);
-  }
   std::stable_sort(nodes.begin(), nodes.end(),
     [](const auto& a, const auto& b) { return line_number(*a.second) < line_number(*b.second); });
   return nodes;
@@ -96,9 +82,7 @@ void add_table(SceneDocument& document, const std::string& name, const toml::tab
   const auto place = [&](const toml::node& node) { return line_of(node, document.name); };
   document.tables.push_back({ name, place(table) });
   for (const auto& [key, node] : in_file_order(table))
-  {
     document.entries.push_back({ name, key, convert(*node, place) });
-  }
 }
 
 SceneDocument parse_file(const std::string& text, const std::string& name)
@@ -110,16 +94,10 @@ SceneDocument parse_file(const std::string& text, const std::string& name)
   {
     const toml::table root = toml::parse(text, name);
     for (const auto& [key, node] : in_file_order(root))
-    {
       if (const auto* table = node->as_table())
-      {
         add_table(document, key, *table);
-      }
       else
-      {
         document.entries.push_back({ "", key, convert(*node, place) });
-      }
-    }
   }
   catch (const toml::parse_error& error)
   {
@@ -148,10 +126,8 @@ Override split_override(const std::string& text)
   const bool split = equals != std::string::npos && equals + 1 < text.size() && dot != 0 &&
     !key.empty() && key.find('.') == std::string::npos;
   if (!split)
-  {
     throw InputError(
       where + ": is not an override; allowed: table.key=value, for example flow.rate=2");
-  }
   const std::string table = dot == std::string::npos ? "" : path.substr(0, dot);
   return { table, key, text.substr(equals + 1), where };
 }
@@ -175,11 +151,9 @@ SceneValue override_value(const Override& change)
   catch (const toml::parse_error& error)
   {
     if (std::string_view("\"'[{").find(change.value.front()) != std::string_view::npos)
-    {
       throw InputError(fmt::format("{}: the value is not valid TOML: {}; allowed: a number, true, "
                                    "false, a word, or an array like [0, 0, 1]",
         change.where, error.description()));
-    }
   }
   value.data = change.value;
   value.where = change.where;
@@ -192,17 +166,13 @@ void apply_override(SceneDocument& document, const std::string& text)
   const Override change = split_override(text);
   SceneValue value = override_value(change);
   if (!change.table.empty() && !document.find_table(change.table))
-  {
     document.tables.push_back({ change.table, change.where });
-  }
   for (auto& entry : document.entries)
-  {
     if (entry.table == change.table && entry.key == change.key)
     {
       entry.value = std::move(value);
       return;
     }
-  }
   document.entries.push_back({ change.table, change.key, std::move(value) });
 }
 
@@ -216,24 +186,16 @@ std::string SceneValue::description() const
 const SceneValue* SceneDocument::find(const std::string& table, const std::string& key) const
 {
   for (const auto& entry : entries)
-  {
     if (entry.table == table && entry.key == key)
-    {
       return &entry.value;
-    }
-  }
   return nullptr;
 }
 
 const SceneDocument::Table* SceneDocument::find_table(const std::string& table) const
 {
   for (const auto& candidate : tables)
-  {
     if (candidate.name == table)
-    {
       return &candidate;
-    }
-  }
   return nullptr;
 }
 
@@ -243,9 +205,7 @@ SceneDocument parse_document(const std::string& text, const std::string& name,
   SceneDocument document = parse_file(text, name);
   document.folder = folder;
   for (const auto& change : overrides)
-  {
     apply_override(document, change);
-  }
   return document;
 }
 

@@ -8,7 +8,6 @@
 #include "solver/scene/TomlText.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <array>
 #include <filesystem>
@@ -18,11 +17,6 @@
 
 namespace vesicle::rules
 {
-
-inline std::string one_of(const std::vector<std::string>& words)
-{
-  return fmt::format("\"{}\"", fmt::join(words, "\", \""));
-}
 
 /// A number; or several of them, each by the same rule.
 struct Number
@@ -123,7 +117,7 @@ struct Word
     table.read(key, target, words);
   }
   std::string write(const std::string& value) const { return to_toml(value); }
-  std::string allowed() const { return one_of(words); }
+  std::string allowed() const { return in_quotes(words); }
 };
 
 /// Any of a list of words.
@@ -137,7 +131,7 @@ struct Words
     table.read(key, target, words);
   }
   std::string write(const std::vector<std::string>& value) const { return to_toml(value); }
-  std::string allowed() const { return "any of " + one_of(words); }
+  std::string allowed() const { return "any of " + in_quotes(words); }
 };
 
 /// A word for each value of an enumeration.
@@ -156,7 +150,7 @@ struct Choice
     std::vector<std::string> words;
     for (const auto& choice : choices)
       words.emplace_back(choice.name);
-    return one_of(words);
+    return in_quotes(words);
   }
 };
 template<class Enumeration, std::size_t n>

@@ -26,11 +26,6 @@ std::string listed(const std::vector<std::string>& names)
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-std::string listed_in_quotes(const std::vector<std::string>& words)
-{
-  return fmt::format("\"{}\"", fmt::join(words, "\", \""));
-}
-
 /// ` did you mean …?` for a key (quote ') or a word (quote "), if one of them is near.
 std::string suggestion(const std::string& name, const std::vector<std::string>& known, char quote)
 {
@@ -38,6 +33,11 @@ std::string suggestion(const std::string& name, const std::vector<std::string>& 
   return nearest.empty() ? "" : fmt::format(", did you mean {0}{1}{0}?", quote, nearest);
 }
 
+}
+
+std::string in_quotes(const std::vector<std::string>& words)
+{
+  return fmt::format("\"{}\"", fmt::join(words, "\", \""));
 }
 
 Vector3 unit_direction(const Vector3& v)
@@ -103,13 +103,9 @@ void TableReader::check_keys(const std::vector<std::string>& keys,
   for (const auto& entry : document_.entries)
   {
     if (entry.table != table_ || contains(keys, entry.key))
-    {
       continue;
-    }
     if (contains(known, entry.key))
-    {
       fail(entry.key, "does not go with " + because, listed(keys));
-    }
     fail(entry.key, "unknown key" + suggestion(entry.key, keys, '\''), listed(keys));
   }
 }
@@ -117,9 +113,7 @@ void TableReader::check_keys(const std::vector<std::string>& keys,
 void TableReader::require(const std::string& key, const std::string& allowed) const
 {
   if (!has(key))
-  {
     fail(key, "is missing", allowed);
-  }
 }
 
 double TableReader::number(
@@ -128,14 +122,10 @@ double TableReader::number(
   const auto* integer = std::get_if<std::int64_t>(&value.data);
   const auto* real = std::get_if<double>(&value.data);
   if (!integer && !real)
-  {
     fail_at(value.where, key, "must be a number, is " + value.description(), rule.allowed);
-  }
   const double number = integer ? static_cast<double>(*integer) : *real;
   if (!std::isfinite(number) || !rule.holds(number))
-  {
     fail_at(value.where, key, fmt::format("can't be {}", number), rule.allowed);
-  }
   return number;
 }
 
@@ -144,13 +134,9 @@ int TableReader::integer(
 {
   const auto* integer = std::get_if<std::int64_t>(&value.data);
   if (!integer)
-  {
     fail_at(value.where, key, "must be an integer, is " + value.description(), rule.allowed);
-  }
   if (!std::in_range<int>(*integer) || !rule.holds(static_cast<int>(*integer)))
-  {
     fail_at(value.where, key, fmt::format("can't be {}", *integer), rule.allowed);
-  }
   return static_cast<int>(*integer);
 }
 
@@ -171,21 +157,17 @@ std::string TableReader::word(
   const std::string& key, const SceneValue& value, const std::string& allowed) const
 {
   if (!value.text.empty() && !std::holds_alternative<std::string>(value.data))
-  {
     return value.text; // on the command line nobody quotes a name like 2024
-  }
   const auto* text = std::get_if<std::string>(&value.data);
   if (!text)
-  {
     fail_at(value.where, key, "must be a string, is " + value.description(), allowed);
-  }
   return *text;
 }
 
 std::size_t TableReader::choose(
   const std::string& key, const SceneValue& value, const std::vector<std::string>& words) const
 {
-  const std::string allowed = listed_in_quotes(words);
+  const std::string allowed = in_quotes(words);
   const std::string name = word(key, value, allowed);
   const auto found = std::find(words.begin(), words.end(), name);
   if (found == words.end())
@@ -197,31 +179,23 @@ std::size_t TableReader::choose(
 void TableReader::read(const std::string& key, bool& target) const
 {
   if (!has(key))
-  {
     return;
-  }
   const auto* flag = std::get_if<bool>(&at(key).data);
   if (!flag)
-  {
     fail(key, "must be true or false, is " + at(key).description(), "true, false");
-  }
   target = *flag;
 }
 
 void TableReader::read(const std::string& key, double& target, const NumberRule& rule) const
 {
   if (has(key))
-  {
     target = number(key, at(key), rule);
-  }
 }
 
 void TableReader::read(const std::string& key, int& target, const IntegerRule& rule) const
 {
   if (has(key))
-  {
     target = integer(key, at(key), rule);
-  }
 }
 
 void TableReader::read(const std::string& key, Vector3& target) const
@@ -234,18 +208,14 @@ void TableReader::read(const std::string& key, Vector3& target) const
 void TableReader::read(const std::string& key, std::string& target) const
 {
   if (has(key))
-  {
     target = word(key, at(key), "a string");
-  }
 }
 
 void TableReader::read(
   const std::string& key, std::string& target, const std::vector<std::string>& words) const
 {
   if (!has(key))
-  {
     return;
-  }
   target = words[choose(key, at(key), words)];
 }
 
@@ -253,23 +223,17 @@ void TableReader::read(const std::string& key, std::vector<std::string>& target,
   const std::vector<std::string>& words) const
 {
   if (!has(key))
-  {
     return;
-  }
   target.clear();
-  for (const auto& item : items(key, at(key), 0, "an array of " + listed_in_quotes(words)))
-  {
+  for (const auto& item : items(key, at(key), 0, "an array of " + in_quotes(words)))
     target.push_back(words[choose(key, item, words)]);
-  }
 }
 
 void TableReader::read_unless(const std::string& key, const std::string& word,
   std::optional<double>& target, const NumberRule& rule) const
 {
   if (!has(key))
-  {
     return;
-  }
   const std::string allowed = fmt::format("{} or \"{}\"", rule.allowed, word);
   const auto* text = std::get_if<std::string>(&at(key).data);
   if (text && *text == word)
@@ -278,23 +242,17 @@ void TableReader::read_unless(const std::string& key, const std::string& word,
     return;
   }
   if (text)
-  {
     fail(key, "can't be " + at(key).description(), allowed);
-  }
   target = number(key, at(key), { rule.holds, allowed.c_str() });
 }
 
 void TableReader::read_direction(const std::string& key, Vector3& target) const
 {
   if (!has(key))
-  {
     return;
-  }
   read(key, target);
   if (target.isZero(0))
-  {
     fail(key, "can't be the zero vector", "[x, y, z], not all 0");
-  }
   target = unit_direction(target);
 }
 

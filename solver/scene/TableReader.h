@@ -36,6 +36,9 @@ struct IntegerRule
 /// bit.
 Vector3 unit_direction(const Vector3& v);
 
+/// "a", "b", "c"
+std::string in_quotes(const std::vector<std::string>& words);
+
 class TableReader
 {
 public:
@@ -112,15 +115,11 @@ void TableReader::read(
   const std::string& key, std::array<double, n>& target, const NumberRule& rule) const
 {
   if (!has(key))
-  {
     return;
-  }
   const std::string allowed = "an array of " + std::to_string(n) + ", each " + rule.allowed;
   const auto& values = items(key, at(key), n, allowed);
   for (std::size_t i = 0; i < n; ++i)
-  {
     target[i] = number(key, values[i], rule);
-  }
 }
 
 template<class Choice, std::size_t n>

@@ -39,7 +39,7 @@ struct ShapeWord
     target = shape_kind(word);
   }
   std::string write(Kind value) const { return to_toml(shape_name(value)); }
-  std::string allowed() const { return rules::one_of(shape_words()); }
+  std::string allowed() const { return in_quotes(shape_words()); }
 };
 
 /// An axis, brought to length 1, and an angle.

@@ -64,7 +64,7 @@ class Flow(unittest.TestCase):
         # Far away the shear flow is what it was.
         numpy.testing.assert_allclose(flow.PointData["Velocity"][1], [200, 0, 0], atol=1e-2)
 
-    def test_streamlines_through_a_bare_surface_follow_the_ambient_shear(self):
+    def test_streamlines_through_a_bare_surface_follow_the_imposed_shear(self):
         source = sphere(1.05)
         forces = connected(vesicle.vtkVesicleForceFilter(), source)
         forces.SetBendingRigidity(0)
