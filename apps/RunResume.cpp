@@ -43,18 +43,37 @@ std::string first_difference(
   return fmt::format("'{}' now, '{}' then", line(now), line(then));
 }
 
+/// Throws InputError: the run can't go on, as it has something that this program doesn't know.
+[[noreturn]] void refuse_version(const std::filesystem::path& file, const std::string& difference)
+{
+  throw InputError(fmt::format("{}: was written by another version of the program, with {}; go on "
+                               "with that version, or start anew with --overwrite",
+    file.string(), difference));
+}
+
+/// The scene as it was when the run was started.
+Scene scene_of(const RunFile& run, const std::filesystem::path& file)
+{
+  try
+  {
+    return parse_scene(run.header().scene, file.string());
+  }
+  catch (const InputError&)
+  {
+    refuse_version(file, "other keys in its scene");
+  }
+}
+
 }
 
 void require_same_scene(const Scene& scene, const RunFile& run, const std::filesystem::path& file)
 {
   if (run.header().columns != Diagnostics::names())
   {
-    throw InputError(file.string() +
-      ": was written by another version of the program, with other columns; go on with that "
-      "version, or start anew with --overwrite");
+    refuse_version(file, "other columns");
   }
   const auto now = fixed_lines(scene);
-  const auto then = fixed_lines(parse_scene(run.header().scene, file.string()));
+  const auto then = fixed_lines(scene_of(run, file));
   if (now != then)
   {
     throw InputError(

@@ -146,7 +146,7 @@ TEST_F(Resume, AnotherSceneIsRefused)
   EXPECT_EQ(run({ "time.end=0.1", "--resume" }).code, 2);
 }
 
-TEST_F(Resume, ACheckpointWithOtherColumnsIsRefused)
+TEST_F(Resume, ACheckpointOfAnotherVersionIsRefused)
 {
   const std::vector<std::string> words{ "run", "pear.toml", "--no-movie", "--set", "time.end=0.1" };
   ASSERT_EQ(vesicle_command(folder.path(), words).code, 0);
@@ -160,15 +160,25 @@ TEST_F(Resume, ACheckpointWithOtherColumnsIsRefused)
     state = run.state();
     row = run.series().back();
   }
-  std::filesystem::remove(file);
-  header.columns.pop_back();
-  row.pop_back();
-  RunFile::create(file, header).append(state, row);
-  auto again = words;
-  again.push_back("--resume");
-  const auto outcome = vesicle_command(folder.path(), again);
-  EXPECT_EQ(outcome.code, 2);
-  EXPECT_NE(outcome.errors.find("other columns"), std::string::npos) << outcome.errors;
+  const auto expect_refused = [&](const RunFile::Header& changed, const std::string& reason)
+  {
+    std::filesystem::remove(file);
+    row.resize(changed.columns.size());
+    RunFile::create(file, changed).append(state, row);
+    auto again = words;
+    again.push_back("--resume");
+    const auto outcome = vesicle_command(folder.path(), again);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.errors.find("another version of the program, with " + reason),
+      std::string::npos)
+      << outcome.errors;
+  };
+  auto other_columns = header;
+  other_columns.columns.pop_back();
+  expect_refused(other_columns, "other columns");
+  auto other_keys = header;
+  other_keys.scene += "unknown = 1\n"; // in its last table
+  expect_refused(other_keys, "other keys in its scene");
 }
 
 TEST_F(Resume, WithoutARunItStarts)
