@@ -4,6 +4,7 @@
 
 #include "solver/flow/Extension.h"
 #include "solver/flow/Poiseuille.h"
+#include "solver/flow/Rotation.h"
 #include "solver/flow/Shear.h"
 
 #include "vtkMath.h"
@@ -81,6 +82,19 @@ TEST(SceneGuides, ExtensionGoesOutAlongXAndInAlongZ)
     const double x = 0.5 * (a.from[0] + a.to[0]), z = 0.5 * (a.from[2] + a.to[2]);
     EXPECT_GE((a.to[0] - a.from[0]) * x, 0);
     EXPECT_LE((a.to[2] - a.from[2]) * z, 0);
+  }
+}
+
+TEST(SceneGuides, RotationGoesRoundItsAxis)
+{
+  const Guide guide = flow_guide(std::make_shared<Rotation>(2, Vector3::UnitY()));
+  ASSERT_EQ(guide.arrows.size(), 4u);
+  EXPECT_TRUE(guide.lines.empty());
+  for (const auto& a : guide.arrows)
+  {
+    const double x = 0.5 * (a.from[0] + a.to[0]), z = 0.5 * (a.from[2] + a.to[2]);
+    EXPECT_GT((a.to[0] - a.from[0]) * z - (a.to[2] - a.from[2]) * x, 0); // e_y × x
+    EXPECT_NEAR((a.to[0] - a.from[0]) * x + (a.to[2] - a.from[2]) * z, 0, 1e-14);
   }
 }
 
