@@ -141,8 +141,12 @@ void parachute(Report& report)
     (points.col(1).array() - end.centroid[1]).square();
   double dent = z.maxCoeff();
   for (int i = 0; i < points.rows(); ++i)
+  {
     if (across[i] < 0.02 * across.maxCoeff())
+    {
       dent = std::min(dent, z[i]);
+    }
+  }
   report.add(at_least("depth of the opening / height", 0.1,
     (dent - z.minCoeff()) / (z.maxCoeff() - z.minCoeff()), "0 without one"));
   charts_of(report, "fig8-parachute", run);

@@ -91,11 +91,13 @@ Section section_of(const TriangleMesh& mesh, const Curvature& c)
 {
   std::map<double, int> by_angle;
   for (int i = 0; i < mesh.points.rows(); ++i)
+  {
     if (std::abs(mesh.points(i, 2)) < 1e-12)
     {
       const double angle = std::atan2(mesh.points(i, 1), mesh.points(i, 0));
       by_angle[angle < 0 ? angle + 2 * std::numbers::pi : angle] = i;
     }
+  }
   Section section;
   for (const auto& [angle, i] : by_angle)
   {
@@ -111,7 +113,9 @@ Section reference_section()
   const Table table = parse_table(data_file("reference/surfaces/paper41_literal_z0.csv"));
   Section section{ table.column("theta"), table.column("H"), table.column("LapH") };
   for (double& angle : section.degrees)
+  {
     angle *= 180 / std::numbers::pi;
+  }
   return section;
 }
 
@@ -120,9 +124,11 @@ Errors section_errors(const Section& section, const Section& exact)
   Comparison comparison;
   const double step = exact.degrees[1];
   for (std::size_t i = 0; i < section.degrees.size(); ++i)
+  {
     comparison.add(section.mean[i], section.laplacian[i],
       periodic_cubic(exact.mean, step, section.degrees[i]),
       periodic_cubic(exact.laplacian, step, section.degrees[i]));
+  }
   return comparison.errors();
 }
 
@@ -151,7 +157,9 @@ TriangleMesh irregular_mesh(Scheme scheme, int n)
 {
   const TriangleMesh rough = mapped(delaunay_sphere(jittered_sphere(n, 0.3)), paper_surface);
   if (scheme != Scheme::loop)
+  {
     return rough;
+  }
   TriangleMesh directions = resample(rough, 20 * n * n).mesh;
   directions.points.rowwise().normalize();
   return mapped(directions, paper_surface); // back on the surface
@@ -192,8 +200,10 @@ void figure_3(Report& report, Scheme scheme, const Limits& fast, const Limits& f
     charts[1].lines.push_back(
       { label, section.degrees, section.laplacian, ChartLine::Style::points });
     if (n == finest)
+    {
       add_errors(report, fmt::format("section, {}", 20 * n * n), section_errors(section, exact),
         limits.section);
+    }
   }
   report.chart(fmt::format("fig3-{}", name_of(scheme)), charts);
   const int size = 20 * finest * finest;
@@ -218,7 +228,9 @@ void velocity_errors(Report& report)
   report.add(
     at_most("jittered, 1280", 3e-2, velocity_error(delaunay_sphere(jittered_sphere(8, 0.3)))));
   if (!report.full())
+  {
     return;
+  }
   report.add(at_most("regular, 5120", 1e-3, velocity_error(geodesic_sphere(16))));
   report.add(
     at_most("jittered, 5120", 6e-3, velocity_error(delaunay_sphere(jittered_sphere(16, 0.3)))));

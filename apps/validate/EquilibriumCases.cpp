@@ -36,8 +36,12 @@ double reference_energy(const Shape& shape)
   const Table table = parse_table(data_file("reference/equilibria.csv"));
   const auto v = table.column("reduced_volume"), energy = table.column("energy_over_8pi_kappa");
   for (std::size_t i = 0; i < v.size(); ++i)
+  {
     if (table.rows[i][0] == shape.branch && std::abs(v[i] - shape.v) < 1e-9)
+    {
       return energy[i];
+    }
+  }
   return std::nan("");
 }
 
@@ -48,12 +52,16 @@ Scene relaxation_scene(const Shape& shape, int triangles)
   scene.vesicle.shape.kind =
     shape.branch == "oblate" ? ShapeRequest::Kind::discocyte : ShapeRequest::Kind::prolate;
   if (shape.branch == "oblate" && shape.v > 0.7)
+  {
     scene.vesicle.shape.kind = ShapeRequest::Kind::oblate;
+  }
   scene.vesicle.shape.reduced_volume = shape.v;
   scene.vesicle.shape.triangles = triangles;
   scene.membrane.bending_rigidity = 1;
   if (shape.branch == "stomatocyte")
+  {
     scene.time.end = shape.v < 0.55 ? 4 : 12; // its mouth goes on closing, slowly
+  }
   return scene;
 }
 
@@ -75,7 +83,9 @@ const History& relaxed(const Shape& shape, int triangles)
   auto& done = relaxed_shapes();
   const auto key = std::pair(shape, triangles);
   if (const auto found = done.find(key); found != done.end())
+  {
     return found->second;
+  }
   const Scene scene = relaxation_scene(shape, triangles);
   return done.emplace(key, simulate(scene, start_mesh(scene, shape), latest)).first->second;
 }
@@ -98,7 +108,9 @@ Profile reference_profile(const std::string& name)
     moment += slice * (p.z[i - 1] + p.z[i]) / 2;
   }
   for (double& z : p.z)
+  {
     z -= moment / volume;
+  }
   return p;
 }
 
@@ -118,7 +130,9 @@ double distance(const Profile& profile, const Eigen::Vector2d& x)
 Profile mirrored(Profile profile)
 {
   for (double& z : profile.z)
+  {
     z *= -1;
+  }
   return profile;
 }
 
@@ -140,7 +154,9 @@ double largest_distance(const Profile& computed, const Profile& reference)
 {
   double largest = 0;
   for (std::size_t i = 0; i < computed.r.size(); ++i)
+  {
     largest = std::max(largest, distance(reference, { computed.r[i], computed.z[i] }));
+  }
   return largest;
 }
 
@@ -179,7 +195,9 @@ void equilibrium(Report& report, const Equilibrium& e)
     Profile reference = reference_profile(e.profile);
     const Profile computed = computed_profile(run);
     if (largest_distance(computed, mirrored(reference)) < largest_distance(computed, reference))
+    {
       reference = mirrored(reference);
+    }
     report.add(at_most(
       "distance to the profile", tolerance(e.distance), largest_distance(computed, reference)));
     report.chart(fmt::format("fig7-{}", e.profile),
@@ -203,11 +221,13 @@ void energies(Report& report)
   {
     ChartLine line{ branch, {}, {} };
     for (std::size_t i = 0; i < v.size(); ++i)
+    {
       if (table.rows[i][0] == branch)
       {
         line.x.push_back(v[i]);
         line.y.push_back(energy[i]);
       }
+    }
     chart.lines.push_back(line);
   }
   const auto energy_of = [&](const Shape& shape)
@@ -224,11 +244,13 @@ void energies(Report& report)
   above("oblate", "stomatocyte", 0.58, 0.005);
   ChartLine computed{ "computed", {}, {}, ChartLine::Style::points };
   for (const auto& [key, run] : relaxed_shapes())
+  {
     if (key.second == triangles)
     {
       computed.x.push_back(key.first.v);
       computed.y.push_back(run.end().energy_over_8pi);
     }
+  }
   chart.lines.push_back(computed);
   report.chart("fig6", { chart });
 }
@@ -277,9 +299,11 @@ std::vector<Case> equilibrium_cases()
   };
   std::vector<Case> cases;
   for (const Equilibrium& e : equilibria)
+  {
     cases.push_back({ fmt::format("fig6/{}-{}", e.shape.branch, e.shape.v),
       fmt::format("Relaxed {}, v = {}", e.shape.branch, e.shape.v), e.set,
       [&e](Report& report) { equilibrium(report, e); } });
+  }
   cases.push_back({ "fig6/crossings", "Which branch is lower on either side of v = .6511 and .5912",
     full, energies });
   cases.push_back(

@@ -138,7 +138,9 @@ void convergence(Report& report, bool irregular)
                              : "Loop surface, smooth mesh",
     "triangles", "relative error", {}, true, true };
   for (const Quantity& quantity : quantities)
+  {
     chart.lines.push_back({ quantity.name, {}, {} });
+  }
   chart.lines.push_back({ "velocity of pressure", {}, {} });
   const int finest = report.full() ? 5120 : 1280;
   for (int triangles = finest / 16; triangles <= finest; triangles *= 4)

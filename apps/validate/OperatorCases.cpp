@@ -33,7 +33,9 @@ struct Layer
   {
     Eigen::VectorXd f(3 * mesh.points.rows());
     for (int i = 0; i < mesh.points.rows(); ++i)
+    {
       f.segment<3>(3 * i) = field(mesh.points.row(i).transpose());
+    }
     return f;
   }
   Eigen::VectorXd velocity(const Eigen::VectorXd& f) const
@@ -48,7 +50,9 @@ struct Layer
     const Eigen::VectorXd f = matrix.partialPivLu().solve(velocity);
     Vector3 sum = Vector3::Zero();
     for (int i = 0; i < share.size(); ++i)
+    {
       sum += share[i] * f.segment<3>(3 * i);
+    }
     return sum;
   }
 
@@ -74,7 +78,9 @@ private:
   Eigen::VectorXd to_nodes(const Eigen::VectorXd& f) const
   {
     if (!fit)
+    {
       return f;
+    }
     const Points values = Eigen::Map<const Points>(f.data(), f.size() / 3, 3);
     const Points nodes = Eigen::MatrixXd(fit->solve(Eigen::MatrixXd(values)));
     return Eigen::Map<const Eigen::VectorXd>(nodes.data(), nodes.size());

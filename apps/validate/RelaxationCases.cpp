@@ -33,7 +33,9 @@ Eigen::VectorXd modes_of(const Simulation& simulation, const State& state)
     const Vector3 x = points.row(i).transpose() - center;
     radius[i] = x.norm() - 1;
     for (int l = 0; l <= highest_mode; ++l)
+    {
       harmonics(i, l) = real_spherical_harmonic(l, 0, x.normalized());
+    }
   }
   return harmonics.colPivHouseholderQr().solve(radius);
 }

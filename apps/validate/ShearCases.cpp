@@ -32,7 +32,9 @@ double roughness(const History& run)
     const auto& around = connectivity.vertex_neighbours;
     double mean = 0;
     for (const int* j = around.begin(i); j != around.end(i); ++j)
+    {
       mean += tension[*j] / around.size(i);
+    }
     sum += std::pow(tension[i] - mean, 2);
   }
   return std::sqrt(sum / count) / (tension.maxCoeff() - tension.minCoeff());
@@ -91,7 +93,9 @@ void tank_treading(Report& report)
     relative("frequency / rate", 0.44502, d.tank_treading_frequency, report.full() ? 1e-3 : 2e-3));
   const double axes[] = { 1.33701, 0.92861, 0.80544 };
   for (int i = 0; i < 3; ++i)
+  {
     report.add(relative(fmt::format("semi-axis {}", i + 1), axes[i], d.semi_axes[i], 5e-4));
+  }
   report.add(relative("lowest tension", 3.82, d.tension_min, report.full() ? 0.01 : 0.03));
   report.add(relative("highest tension", 6.38, d.tension_max, report.full() ? 0.01 : 0.03));
   double wander = 0, angle = 90;
@@ -99,7 +103,9 @@ void tank_treading(Report& report)
   {
     angle = std::min(angle, row.min_angle_deg);
     if (row.time > 15)
+    {
       wander = std::max(wander, std::abs(inclination(row) - inclination(d)));
+    }
   }
   report.add(at_most("angle's wandering after t = 15", 0.05, wander));
   report.add(at_least("smallest angle of the mesh", 20, angle));

@@ -66,7 +66,9 @@ void buoyant_sphere(Report& report, const Preset& preset)
     coarse = fine;
     fine = errors_of(sphere_scene(preset.preset, triangles));
     for (ChartLine& line : chart.lines)
+    {
       line.x.push_back(triangles);
+    }
     chart.lines[0].y.push_back(fine.speed);
     chart.lines[1].y.push_back(fine.tension);
     if (triangles == 1280)
@@ -89,10 +91,12 @@ std::vector<Case> sphere_cases()
 {
   std::vector<Case> cases;
   for (const Preset& preset : presets)
+  {
     cases.push_back({ fmt::format("fig4/{}", preset.name),
       fmt::format(
         "Buoyant inextensible sphere, U = 2/9 Bo, tension (Bo/3)(z - z_c), preset {}", preset.name),
       Case::Set::fast, [&preset](Report& report) { buoyant_sphere(report, preset); } });
+  }
   return cases;
 }
 

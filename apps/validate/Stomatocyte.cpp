@@ -27,7 +27,9 @@ Eigen::Vector2d meridian(double h, double s)
     return { radius * std::sin(angle), -radius * std::cos(angle) };
   };
   if (way <= outer)
+  {
     return on_circle(1 + h, way / (1 + h));
+  }
   way -= outer;
   if (way <= rim)
   {
