@@ -7,7 +7,7 @@
 #include "solver/surface/Cotan.h"
 #include "solver/surface/FittedCurvature.h"
 #include "solver/membrane/Bending.h"
-#include "solver/mesh/remesh/Resample.h"
+#include "solver/mesh/remesh/Remesh.h"
 #include "solver/mesh/shapes/Shapes.h"
 #include "solver/membrane/ExactCurvature.h"
 #include "solver/mesh/shapes/SampleMeshes.h"

@@ -5,7 +5,7 @@
 
 #include "solver/dynamics/Discretization.h"
 #include "solver/dynamics/StartMesh.h"
-#include "solver/mesh/remesh/Resample.h"
+#include "solver/mesh/remesh/Remesh.h"
 #include "solver/mesh/shapes/Shapes.h"
 #include "solver/mesh/shapes/SampleMeshes.h"
 

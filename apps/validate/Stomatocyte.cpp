@@ -1,7 +1,8 @@
 #include "apps/validate/Stomatocyte.h"
 
+#include "solver/dynamics/Simulation.h"
 #include "solver/dynamics/SurfaceMeasures.h"
-#include "solver/mesh/shapes/Remesh.h"
+#include "solver/mesh/shapes/UniformMesh.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "solver/dynamics/SurfaceMeasures.h"
 #include "solver/surface/LoopBasis.h"
 #include "solver/membrane/SurfaceBending.h"
-#include "solver/mesh/remesh/Resample.h"
+#include "solver/mesh/remesh/Remesh.h"
 
 #include <fmt/format.h>
 

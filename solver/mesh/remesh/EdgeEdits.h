@@ -2,7 +2,7 @@
 // Splits, collapses and flips of the edges of a mesh on a smooth surface.
 
 #include "solver/mesh/remesh/CurvedSurface.h"
-#include "solver/mesh/remesh/DraftMesh.h"
+#include "solver/mesh/remesh/EditableMesh.h"
 
 #include <limits>
 #include <random>

@@ -1,6 +1,6 @@
 #include "solver/mesh/remesh/EdgeEdits.h"
 
-#include "solver/mesh/FlippableMesh.h"
+#include "solver/mesh/HalfEdgeMesh.h"
 
 #include <algorithm>
 #include <cmath>

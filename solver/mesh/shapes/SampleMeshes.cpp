@@ -1,6 +1,6 @@
 #include "solver/mesh/shapes/SampleMeshes.h"
 
-#include "solver/mesh/FlippableMesh.h"
+#include "solver/mesh/HalfEdgeMesh.h"
 #include "solver/mesh/shapes/Shapes.h"
 
 #include <cmath>

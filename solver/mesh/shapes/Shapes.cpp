@@ -2,7 +2,7 @@
 
 #include "solver/Errors.h"
 #include "solver/mesh/MeshQuality.h"
-#include "solver/mesh/shapes/Remesh.h"
+#include "solver/mesh/shapes/UniformMesh.h"
 #include "solver/mesh/shapes/ShapeFamily.h"
 
 #include <fmt/format.h>

@@ -1,9 +1,9 @@
-#include "solver/mesh/remesh/Resample.h"
+#include "solver/mesh/remesh/Remesh.h"
 
 #include "solver/Errors.h"
-#include "solver/mesh/remesh/CarriedMesh.h"
-#include "solver/mesh/remesh/IsotropicRemesh.h"
-#include "solver/mesh/remesh/SemiRegularRemesh.h"
+#include "solver/mesh/remesh/ProjectedMesh.h"
+#include "solver/mesh/remesh/IsotropicMesh.h"
+#include "solver/mesh/remesh/SemiRegularMesh.h"
 #include "solver/mesh/TriangleTree.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 
 #include "solver/Errors.h"
 #include "solver/dynamics/Discretization.h"
-#include "solver/mesh/remesh/Resample.h"
+#include "solver/mesh/remesh/Remesh.h"
 #include "solver/mesh/shapes/SampleMeshes.h"
 #include "solver/mesh/shapes/ShapeFamily.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 // Meshes with few extraordinary vertices: a coarse mesh of the surface, its triangles cut in four.
 
-#include "solver/mesh/remesh/Relaxation.h"
+#include "solver/mesh/remesh/SurfaceSmoother.h"
 
 #include <optional>
 

@@ -1,7 +1,7 @@
-#include "solver/mesh/remesh/SemiRegularRemesh.h"
+#include "solver/mesh/remesh/SemiRegularMesh.h"
 
 #include "solver/mesh/remesh/EdgeEdits.h"
-#include "solver/mesh/remesh/IsotropicRemesh.h"
+#include "solver/mesh/remesh/IsotropicMesh.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "solver/mesh/shapes/Remesh.h"
+#include "solver/mesh/shapes/UniformMesh.h"
 
 #include "solver/mesh/shapes/CappedTube.h"
 #include "solver/mesh/MeshQuality.h"

@@ -1,7 +1,7 @@
 #pragma once
 // Meshes with twelve vertices of valence five and all others of valence six on star-shaped bodies.
 
-#include "solver/mesh/remesh/Relaxation.h"
+#include "solver/mesh/remesh/SurfaceSmoother.h"
 
 #include <optional>
 

@@ -1,7 +1,7 @@
 // Splits, collapses, flips and smoothing along the surface in turn (M. Botsch, L. Kobbelt, Proc.
 // Symposium on Geometry Processing 2004, 185–192), brought to an exact number of triangles.
 
-#include "solver/mesh/remesh/IsotropicRemesh.h"
+#include "solver/mesh/remesh/IsotropicMesh.h"
 
 #include "solver/mesh/remesh/EdgeEdits.h"
 #include "solver/mesh/MeshQuality.h"

@@ -1,4 +1,4 @@
-#include "solver/mesh/remesh/Relaxation.h"
+#include "solver/mesh/remesh/SurfaceSmoother.h"
 
 #include <tbb/parallel_for.h>
 

@@ -2,7 +2,7 @@
 // Smoothing of a mesh along a curved surface, its triangles fixed.
 
 #include "solver/mesh/remesh/CurvedSurface.h"
-#include "solver/mesh/remesh/DraftMesh.h"
+#include "solver/mesh/remesh/EditableMesh.h"
 
 namespace vesicle
 {

@@ -1,4 +1,4 @@
-#include "solver/mesh/FlippableMesh.h"
+#include "solver/mesh/HalfEdgeMesh.h"
 
 #include "solver/mesh/EdgeUses.h"
 

@@ -1,4 +1,4 @@
-#include "solver/mesh/remesh/DraftMesh.h"
+#include "solver/mesh/remesh/EditableMesh.h"
 
 #include "solver/mesh/MeshQuality.h"
 

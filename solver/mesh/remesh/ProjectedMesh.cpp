@@ -1,6 +1,6 @@
-#include "solver/mesh/remesh/CarriedMesh.h"
+#include "solver/mesh/remesh/ProjectedMesh.h"
 
-#include "solver/mesh/shapes/Remesh.h"
+#include "solver/mesh/shapes/UniformMesh.h"
 
 #include <Eigen/Eigenvalues>
 

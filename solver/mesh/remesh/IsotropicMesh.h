@@ -1,7 +1,7 @@
 #pragma once
 // Makes any triangulation of a closed surface uniform.
 
-#include "solver/mesh/remesh/Relaxation.h"
+#include "solver/mesh/remesh/SurfaceSmoother.h"
 
 #include <optional>
 
