@@ -8,6 +8,7 @@
 #include "vtkfilters/Filters/MeshFiles.h"
 #include "vtkfilters/Filters/SceneNumbers.h"
 #include "vtkfilters/Filters/SeriesFile.h"
+#include "solver/mesh/Preparation.h"
 
 #include "vtkFieldData.h"
 #include "vtkPolyData.h"

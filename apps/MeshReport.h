@@ -3,6 +3,7 @@
 
 #include "solver/surface/SurfaceBasis.h"
 #include "solver/mesh/MeshQuality.h"
+#include "solver/mesh/Topology.h"
 #include "solver/mesh/TriangleMesh.h"
 
 #include <nlohmann/json_fwd.hpp>

@@ -8,8 +8,8 @@
 #include "solver/surface/FittedCurvature.h"
 #include "solver/membrane/Bending.h"
 #include "solver/mesh/remesh/Remesh.h"
-#include "solver/mesh/shapes/Shapes.h"
 #include "solver/membrane/ExactCurvature.h"
+#include "solver/mesh/shapes/GeodesicSphere.h"
 #include "solver/mesh/shapes/SampleMeshes.h"
 #include "solver/state/Table.h"
 
@@ -160,7 +160,7 @@ TriangleMesh irregular_mesh(Scheme scheme, int n)
   {
     return rough;
   }
-  TriangleMesh directions = resample(rough, 20 * n * n).mesh;
+  TriangleMesh directions = remesh(rough, 20 * n * n).mesh;
   directions.points.rowwise().normalize();
   return mapped(directions, paper_surface); // back on the surface
 }

@@ -113,8 +113,8 @@ Starts smooth_starts(int triangles)
 Starts irregular_starts(int triangles)
 {
   const TriangleMesh rough = delaunay_sphere(jittered_sphere(32, 0.3)); // 20,480 triangles
-  return { projected_ellipsoid(resample(mapped(rough, ellipsoid_2_1_1), triangles).mesh),
-    projected_sphere(resample(rough, triangles).mesh) };
+  return { projected_ellipsoid(remesh(mapped(rough, ellipsoid_2_1_1), triangles).mesh),
+    projected_sphere(remesh(rough, triangles).mesh) };
 }
 
 /// What falls with the number of triangles: the order in N over the three meshes, and the error at

@@ -3,8 +3,8 @@
 #include "apps/validate/Cases.h"
 #include "apps/validate/Runs.h"
 #include "solver/dynamics/StartMesh.h"
+#include "solver/mesh/shapes/SphericalHarmonics.h"
 
-#include "solver/mesh/shapes/Shapes.h"
 
 #include <Eigen/QR>
 #include <fmt/format.h>

@@ -2,6 +2,7 @@
 
 #include "apps/validate/Cases.h"
 #include "apps/validate/Runs.h"
+#include "solver/mesh/Connectivity.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "apps/validate/Stomatocyte.h"
 
-#include "solver/dynamics/Simulation.h"
 #include "solver/dynamics/SurfaceMeasures.h"
+#include "solver/mesh/MeshIntegrals.h"
 #include "solver/mesh/shapes/UniformMesh.h"
 
 #include <algorithm>
@@ -41,7 +41,7 @@ Eigen::Vector2d meridian(double h, double s)
   return on_circle(1 - h, reach - (way - rim) / (1 - h));
 }
 
-SphereImage bowl(double h)
+SphericalParametrisation bowl(double h)
 {
   return [h](const Vector3& d) -> Vector3
   {
@@ -60,7 +60,7 @@ double solve_thickness(SurfaceBasis basis, const SphereMesh& directions, double 
   for (int step = 0; step < 60 && high - low > 1e-9; ++step)
   {
     const double h = (low + high) / 2;
-    const SurfaceMeasures m = surface_measures(basis, surface_mesh(bowl(h), directions));
+    const SurfaceMeasures m = surface_measures(basis, mapped(directions, bowl(h)));
     (reduced_volume(m.area, m.volume) > v ? high : low) = h;
   }
   return (low + high) / 2;
@@ -78,7 +78,7 @@ TriangleMesh stomatocyte(const Scene& scene, double v)
     directions = uniform_mesh(bowl(h), scene.vesicle.shape.triangles, Symmetry::none);
     h = solve_thickness(basis, directions, v);
   }
-  TriangleMesh mesh = surface_mesh(bowl(h), directions);
+  TriangleMesh mesh = mapped(directions, bowl(h));
   mesh.points /= equivalent_radius(surface_measures(basis, mesh).volume);
   return mesh;
 }

@@ -3,6 +3,7 @@
 // leaves them free.
 
 #include "solver/dynamics/Discretization.h"
+#include "solver/mesh/Connectivity.h"
 
 namespace vesicle
 {

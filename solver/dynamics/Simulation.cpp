@@ -5,7 +5,9 @@
 #include "solver/dynamics/StartMesh.h"
 #include "solver/dynamics/Stepper.h"
 #include "solver/dynamics/SurfaceMeasures.h"
+#include "solver/mesh/MeshIntegrals.h"
 #include "solver/mesh/MeshQuality.h"
+#include "solver/mesh/Preparation.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,11 @@
 #include "solver/dynamics/SurfaceMeasures.h"
 #include "solver/surface/LoopBasis.h"
 #include "solver/membrane/SurfaceBending.h"
+#include "solver/mesh/MeshIntegrals.h"
+#include "solver/mesh/Preparation.h"
 #include "solver/mesh/remesh/Remesh.h"
+#include "solver/mesh/shapes/ShapeRequest.h"
+#include "solver/mesh/shapes/Shapes.h"
 
 #include <fmt/format.h>
 
@@ -79,8 +83,8 @@ std::string check_smoothness(const Scene& scene, const TriangleMesh& mesh)
 static std::string resample_start_mesh(TriangleMesh& mesh, const std::string& name, int triangles)
 {
   std::string notes = prepare_for_dynamics(mesh, name);
-  Resampled resampled = resample(mesh, triangles);
-  const ResampleReport& r = resampled.report;
+  Remeshed resampled = remesh(mesh, triangles);
+  const RemeshReport& r = resampled.report;
   notes += fmt::format(
     "{}{}: resampled from {} to {} triangles; largest distance {:.1e} r0, area {:+.2e}, volume "
     "{:+.2e}, reduced volume {:.4f} (was {:.4f}), smallest angle {:.0f} degrees",

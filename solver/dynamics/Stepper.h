@@ -4,6 +4,7 @@
 #include "solver/dynamics/MeshMotion.h"
 #include "solver/dynamics/StageProblem.h"
 #include "solver/dynamics/StepControl.h"
+#include "solver/mesh/Connectivity.h"
 #include "solver/state/State.h"
 
 namespace vesicle

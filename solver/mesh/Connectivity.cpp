@@ -1,5 +1,6 @@
+#include "solver/mesh/Connectivity.h"
+
 #include "solver/mesh/EdgeUses.h"
-#include "solver/mesh/TriangleMesh.h"
 
 #include <utility>
 
@@ -14,19 +15,13 @@ AdjacencyList compress(const std::vector<std::pair<int, int>>& pairs, int lists)
   AdjacencyList result;
   result.start.assign(lists + 1, 0);
   for (const auto& [list, entry] : pairs)
-  {
     ++result.start[list + 1];
-  }
   for (int i = 0; i < lists; ++i)
-  {
     result.start[i + 1] += result.start[i];
-  }
   std::vector<int> next(result.start.begin(), result.start.end() - 1);
   result.item.resize(pairs.size());
   for (const auto& [list, entry] : pairs)
-  {
     result.item[next[list]++] = entry;
-  }
   return result;
 }
 
@@ -39,13 +34,9 @@ AdjacencyList triangles_around(const Triangles& triangles, int points)
     const auto [a, b, c] = std::array{ triangles(t, 0), triangles(t, 1), triangles(t, 2) };
     pairs.emplace_back(a, t);
     if (b != a)
-    {
       pairs.emplace_back(b, t);
-    }
     if (c != a && c != b)
-    {
       pairs.emplace_back(c, t);
-    }
   }
   return compress(pairs, points);
 }
@@ -57,13 +48,9 @@ AdjacencyList neighbours_along(const std::vector<std::array<int, 2>>& edges, int
   std::vector<std::pair<int, int>> pairs;
   pairs.reserve(2 * edges.size());
   for (const auto& [a, b] : edges)
-  {
     pairs.emplace_back(b, a);
-  }
   for (const auto& [a, b] : edges)
-  {
     pairs.emplace_back(a, b);
-  }
   return compress(pairs, points);
 }
 }

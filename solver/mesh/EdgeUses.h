@@ -25,19 +25,16 @@ public:
   explicit EdgeUses(const Triangles& triangles);
 
   /// Number of edges, in ascending order of (a, b).
-  int size() const { return static_cast<int>(start.size()) - 1; }
+  int size() const { return static_cast<int>(start_.size()) - 1; }
   /// The sides on edge e, by ascending triangle. A side from a point to itself is no edge.
   std::span<const EdgeUse> operator[](int e) const
   {
-    return { uses.data() + start[e], uses.data() + start[e + 1] };
+    return { uses_.data() + start_[e], uses_.data() + start_[e + 1] };
   }
 
 private:
-  std::vector<EdgeUse> uses;
-  std::vector<int> start;
+  std::vector<EdgeUse> uses_;
+  std::vector<int> start_;
 };
-
-/// Each triangle cut into four, with a new vertex `points` + e on each edge e.
-Triangles cut_in_four(const Triangles& triangles, const EdgeUses& edges, int points);
 
 }

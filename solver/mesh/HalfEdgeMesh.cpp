@@ -5,13 +5,13 @@
 namespace vesicle
 {
 
-FlippableMesh::FlippableMesh(const Triangles& triangles, int points)
-  : corners(triangles), twins(3 * triangles.rows()), outgoing(points, -1), valences(points, 0)
+HalfEdgeMesh::HalfEdgeMesh(const Triangles& triangles, int points)
+  : corners_(triangles), twins_(3 * triangles.rows()), outgoing_(points, -1), valences_(points, 0)
 {
   for (int h = 0; h < half_edges(); ++h)
   {
-    outgoing[from(h)] = h;
-    ++valences[from(h)];
+    outgoing_[from(h)] = h;
+    ++valences_[from(h)];
   }
   const EdgeUses edges(triangles);
   for (int e = 0; e < edges.size(); ++e)
@@ -26,49 +26,47 @@ FlippableMesh::FlippableMesh(const Triangles& triangles, int points)
   }
 }
 
-void FlippableMesh::pair(int h, int g)
+void HalfEdgeMesh::pair(int h, int g)
 {
-  twins[h] = g;
-  twins[g] = h;
+  twins_[h] = g;
+  twins_[g] = h;
 }
 
-int FlippableMesh::find(int a, int b) const
+int HalfEdgeMesh::find(int a, int b) const
 {
-  int h = outgoing[a];
+  int h = outgoing_[a];
   do
   {
     if (to(h) == b)
-    {
       return h;
-    }
-    h = twins[previous(h)];
-  } while (h != outgoing[a]);
+    h = twins_[previous(h)];
+  } while (h != outgoing_[a]);
   return -1;
 }
 
 // The triangles (a, b, c) of h and (b, a, d) of its twin become (a, d, c) and (d, b, c).
-void FlippableMesh::flip(int h)
+void HalfEdgeMesh::flip(int h)
 {
-  const int g = twins[h];
+  const int g = twins_[h];
   const int a = from(h), b = to(h), c = apex(h), d = apex(g);
-  const int bc = twins[next(h)], ca = twins[previous(h)];
-  const int ad = twins[next(g)], db = twins[previous(g)];
+  const int bc = twins_[next(h)], ca = twins_[previous(h)];
+  const int ad = twins_[next(g)], db = twins_[previous(g)];
   const int t = h / 3, s = g / 3;
-  corners.row(t) << a, d, c;
-  corners.row(s) << d, b, c;
+  corners_.row(t) << a, d, c;
+  corners_.row(s) << d, b, c;
   pair(3 * t, ad);
   pair(3 * t + 1, 3 * s + 2);
   pair(3 * t + 2, ca);
   pair(3 * s, db);
   pair(3 * s + 1, bc);
-  outgoing[a] = 3 * t;
-  outgoing[b] = 3 * s + 1;
-  outgoing[c] = 3 * t + 2;
-  outgoing[d] = 3 * s;
-  --valences[a];
-  --valences[b];
-  ++valences[c];
-  ++valences[d];
+  outgoing_[a] = 3 * t;
+  outgoing_[b] = 3 * s + 1;
+  outgoing_[c] = 3 * t + 2;
+  outgoing_[d] = 3 * s;
+  --valences_[a];
+  --valences_[b];
+  ++valences_[c];
+  ++valences_[d];
 }
 
 }

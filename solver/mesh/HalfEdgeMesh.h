@@ -9,19 +9,19 @@ namespace vesicle
 {
 
 /// Half-edge 3t + k runs from corner k of triangle t to the next one.
-class FlippableMesh
+class HalfEdgeMesh
 {
 public:
   /// The triangles of a closed, oriented manifold.
-  FlippableMesh(const Triangles& triangles, int points);
+  HalfEdgeMesh(const Triangles& triangles, int points);
 
-  int half_edges() const { return static_cast<int>(twins.size()); }
-  int from(int h) const { return corners(h / 3, h % 3); }
+  int half_edges() const { return static_cast<int>(twins_.size()); }
+  int from(int h) const { return corners_(h / 3, h % 3); }
   int to(int h) const { return from(next(h)); }
   int apex(int h) const { return from(previous(h)); }
-  int twin(int h) const { return twins[h]; }
-  int valence(int vertex) const { return valences[vertex]; }
-  const Triangles& triangles() const { return corners; }
+  int twin(int h) const { return twins_[h]; }
+  int valence(int vertex) const { return valences_[vertex]; }
+  const Triangles& triangles() const { return corners_; }
 
   /// The half-edge from a to b, −1 if they aren't neighbours.
   int find(int a, int b) const;
@@ -33,10 +33,10 @@ private:
   static int previous(int h) { return h % 3 == 0 ? h + 2 : h - 1; }
   void pair(int h, int g);
 
-  Triangles corners;
-  std::vector<int> twins;
-  std::vector<int> outgoing; ///< one half-edge from each vertex
-  std::vector<int> valences;
+  Triangles corners_;
+  std::vector<int> twins_;
+  std::vector<int> outgoing_; ///< one half-edge from each vertex
+  std::vector<int> valences_;
 };
 
 }

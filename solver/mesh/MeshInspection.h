@@ -9,52 +9,40 @@
 namespace vesicle
 {
 
-/// Sets of the numbers 0 … n − 1 that grow together (union–find with path halving).
-class DisjointSets
-{
-public:
-  explicit DisjointSets(int n);
-  int find(int i);
-  void unite(int i, int j);
-
-private:
-  std::vector<int> parent;
-};
-
 class MeshInspection
 {
 public:
   explicit MeshInspection(const TriangleMesh& mesh);
 
-  const EdgeUses& edges() const { return uses; }
+  const EdgeUses& edges() const { return uses_; }
   /// The first edge with one triangle only, or with more than two; −1 if there is none.
-  int first_open_edge() const;
-  int first_crowded_edge() const;
+  int first_border_edge() const;
+  int first_nonmanifold_edge() const;
   /// Connected pieces of the open border.
   int holes() const;
   /// The first vertex at which the triangles form several fans, −1 if there is none.
-  int first_pinched_vertex() const;
-  bool used(int vertex) const { return is_used[vertex]; }
+  int first_nonmanifold_vertex() const;
+  bool used(int vertex) const { return is_used_[vertex]; }
   int used_vertices() const;
   /// A vertex of each edge-connected component, by ascending vertex.
   std::vector<int> component_vertices() const;
   /// Do neighbouring triangles run through their common edges in opposite directions?
   bool oriented() const;
-  struct Turns
+  struct Reorientation
   {
-    std::vector<bool> turned;    ///< the triangles to turn over
+    std::vector<bool> flipped;   ///< the triangles to turn over
     int contradicting_edge = -1; ///< an edge where that fails: one-sided, as Klein's bottle
   };
   /// How to make all triangles agree with the first one of their component.
-  Turns turns_to_agree() const;
+  Reorientation reorientation() const;
 
 private:
   template<typename Condition>
   int first_edge(Condition holds) const;
 
-  EdgeUses uses;
-  Triangles triangles;
-  std::vector<bool> is_used;
+  EdgeUses uses_;
+  Triangles triangles_;
+  std::vector<bool> is_used_;
 };
 
 }

@@ -1,8 +1,9 @@
-// Area, volume and centroid of a mesh of flat triangles. Positions are taken relative to a point of
-// the mesh, so that a mesh far from the origin loses no digits.
+// Volumes are summed seen from a point of the mesh, so that a mesh far from the origin loses no
+// digits.
+
+#include "solver/mesh/MeshIntegrals.h"
 
 #include "solver/Errors.h"
-#include "solver/mesh/TriangleMesh.h"
 
 #include <fmt/format.h>
 
@@ -19,18 +20,6 @@ Vector3 reference_point(const TriangleMesh& mesh)
   return mesh.triangles.rows() > 0 ? Vector3(mesh.points.row(mesh.triangles(0, 0)))
                                    : Vector3::Zero();
 }
-
-struct Corners
-{
-  Vector3 a, b, c;
-};
-
-Corners corners_from(const TriangleMesh& mesh, int t, const Vector3& origin)
-{
-  const auto corner = [&](int k) -> Vector3
-  { return mesh.points.row(mesh.triangles(t, k)).transpose() - origin; };
-  return { corner(0), corner(1), corner(2) };
-}
 }
 
 double flat_area(const TriangleMesh& mesh)
@@ -38,9 +27,7 @@ double flat_area(const TriangleMesh& mesh)
   double area = 0;
   for (int t = 0; t < mesh.triangles.rows(); ++t)
   {
-    const Vector3 a = mesh.points.row(mesh.triangles(t, 0));
-    const Vector3 b = mesh.points.row(mesh.triangles(t, 1));
-    const Vector3 c = mesh.points.row(mesh.triangles(t, 2));
+    const auto [a, b, c] = corners(mesh, t);
     area += 0.5 * (b - a).cross(c - a).norm();
   }
   return area;
@@ -53,7 +40,7 @@ double flat_volume(const TriangleMesh& mesh)
   double volume = 0;
   for (int t = 0; t < mesh.triangles.rows(); ++t)
   {
-    const auto [a, b, c] = corners_from(mesh, t, origin);
+    const auto [a, b, c] = corners(mesh, t, origin);
     volume += a.dot(b.cross(c)) / 6;
   }
   return volume;
@@ -67,7 +54,7 @@ Vector3 volume_centroid(const TriangleMesh& mesh)
   Vector3 moment = Vector3::Zero();
   for (int t = 0; t < mesh.triangles.rows(); ++t)
   {
-    const auto [a, b, c] = corners_from(mesh, t, origin);
+    const auto [a, b, c] = corners(mesh, t, origin);
     const double tetrahedron = a.dot(b.cross(c)) / 6;
     volume += tetrahedron;
     moment += tetrahedron * (a + b + c) / 4;
@@ -89,6 +76,11 @@ double reduced_volume(double area, double volume)
       "the reduced volume needs a positive area: area = {:.6g}, volume = {:.6g}", area, volume));
   }
   return 6 * std::sqrt(std::numbers::pi) * volume / std::pow(area, 1.5);
+}
+
+double flat_reduced_volume(const TriangleMesh& mesh)
+{
+  return reduced_volume(flat_area(mesh), flat_volume(mesh));
 }
 
 }

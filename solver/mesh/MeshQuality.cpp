@@ -31,19 +31,13 @@ MeshQuality mesh_quality(const TriangleMesh& mesh)
   MeshQuality quality;
   const int triangles = static_cast<int>(mesh.triangles.rows());
   if (triangles == 0)
-  {
     return quality;
-  }
   quality.min_angle_deg = std::numeric_limits<double>::infinity();
   quality.min_edge = std::numeric_limits<double>::infinity();
   double longest = 0;
   for (int t = 0; t < triangles; ++t)
   {
-    std::array<Vector3, 3> corner;
-    for (int k = 0; k < 3; ++k)
-    {
-      corner[k] = mesh.points.row(mesh.triangles(t, k));
-    }
+    const std::array<Vector3, 3> corner = corners(mesh, t);
     for (int k = 0; k < 3; ++k)
     {
       const double length = (corner[(k + 1) % 3] - corner[k]).norm();

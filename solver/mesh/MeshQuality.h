@@ -13,6 +13,8 @@ struct MeshQuality
   double mean_edge = 0; ///< mean over the triangles' sides (an edge on an open border counts half)
   double min_edge = 0;
   int worst_triangle = -1; ///< where min_angle_deg is found
+
+  double score() const { return min_angle_deg / edge_ratio; } ///< to rank meshes by, 60 at best
 };
 MeshQuality mesh_quality(const TriangleMesh& mesh);
 

@@ -9,7 +9,7 @@ namespace vesicle
 // direction.
 PointHash::Cell PointHash::cell(const Vector3& point) const
 {
-  return (point / (2 * tolerance)).array().floor().matrix().cast<std::int64_t>();
+  return (point / (2 * tolerance_)).array().floor().matrix().cast<std::int64_t>();
 }
 
 // Different cells may share a key: find() compares the points themselves.
@@ -26,27 +26,23 @@ std::uint64_t PointHash::key(const Cell& cell)
 
 void PointHash::insert(const Vector3& point, int id)
 {
-  cells.emplace(key(cell(point)), Entry{ point, id });
+  cells_.emplace(key(cell(point)), Entry{ point, id });
 }
 
 int PointHash::find(const Vector3& point) const
 {
-  const Cell low = cell(point.array() - tolerance);
-  const Cell high = cell(point.array() + tolerance);
+  const Cell low = cell(point.array() - tolerance_);
+  const Cell high = cell(point.array() + tolerance_);
   for (std::int64_t i = low[0]; i <= high[0]; ++i)
   {
     for (std::int64_t j = low[1]; j <= high[1]; ++j)
     {
       for (std::int64_t k = low[2]; k <= high[2]; ++k)
       {
-        const auto [first, last] = cells.equal_range(key(Cell(i, j, k)));
+        const auto [first, last] = cells_.equal_range(key(Cell(i, j, k)));
         for (auto entry = first; entry != last; ++entry)
-        {
-          if ((entry->second.point - point).norm() <= tolerance)
-          {
+          if ((entry->second.point - point).norm() <= tolerance_)
             return entry->second.id;
-          }
-        }
       }
     }
   }

@@ -14,7 +14,7 @@ class PointHash
 public:
   /// Points within `tolerance` (> 0) count as the same. Coordinates up to 10¹⁸ tolerances are told
   /// apart.
-  explicit PointHash(double tolerance) : tolerance(tolerance) {}
+  explicit PointHash(double tolerance) : tolerance_(tolerance) {}
 
   void insert(const Vector3& point, int id);
   /// The id of some inserted point within the tolerance, −1 if there is none.
@@ -30,8 +30,8 @@ private:
   Cell cell(const Vector3& point) const;
   static std::uint64_t key(const Cell& cell);
 
-  double tolerance;
-  std::unordered_multimap<std::uint64_t, Entry> cells;
+  double tolerance_;
+  std::unordered_multimap<std::uint64_t, Entry> cells_;
 };
 
 }

@@ -1,8 +1,10 @@
-// Checks and small repairs of meshes that come from elsewhere.
+#include "solver/mesh/Preparation.h"
 
 #include "solver/Errors.h"
 #include "solver/mesh/MeshInspection.h"
+#include "solver/mesh/MeshIntegrals.h"
 #include "solver/mesh/PointHash.h"
+#include "solver/mesh/Topology.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -32,7 +34,7 @@ class Preparation
 {
 public:
   Preparation(TriangleMesh& mesh, const std::string& name)
-    : mesh(mesh), name(name), inspection(mesh)
+    : mesh_(mesh), name_(name), inspection_(mesh)
   {
   }
 
@@ -50,29 +52,29 @@ private:
   template<typename... Arguments>
   [[noreturn]] void fail(fmt::format_string<Arguments...> text, Arguments&&... arguments) const
   {
-    throw InputError(name + ": " + fmt::format(text, std::forward<Arguments>(arguments)...));
+    throw InputError(name_ + ": " + fmt::format(text, std::forward<Arguments>(arguments)...));
   }
-  Vector3 point(int i) const { return mesh.points.row(i); }
+  Vector3 point(int i) const { return mesh_.points.row(i); }
   std::string place_of_edge(int e) const;
   double diagonal() const;
 
-  TriangleMesh& mesh;
-  const std::string& name;
-  MeshInspection inspection;
+  TriangleMesh& mesh_;
+  const std::string& name_;
+  MeshInspection inspection_;
 };
 
 std::string Preparation::place_of_edge(int e) const
 {
-  const EdgeUse& use = inspection.edges()[e].front();
+  const EdgeUse& use = inspection_.edges()[e].front();
   return fmt::format("edge {}–{} {}", use.a, use.b, near((point(use.a) + point(use.b)) / 2));
 }
 
 /// Of the bounding box of the points in use.
 double Preparation::diagonal() const
 {
-  Vector3 low = point(mesh.triangles(0, 0));
+  Vector3 low = point(mesh_.triangles(0, 0));
   Vector3 high = low;
-  for (const int vertex : mesh.triangles.reshaped())
+  for (const int vertex : mesh_.triangles.reshaped())
   {
     low = low.cwiseMin(point(vertex));
     high = high.cwiseMax(point(vertex));
@@ -84,17 +86,13 @@ void Preparation::check_duplicates() const
 {
   const double size = diagonal();
   if (!(size > 0))
-  {
-    fail("all points coincide {}", near(point(mesh.triangles(0, 0))));
-  }
-  const Vector3 origin = point(mesh.triangles(0, 0));
+    fail("all points coincide {}", near(point(mesh_.triangles(0, 0))));
+  const Vector3 origin = point(mesh_.triangles(0, 0));
   PointHash seen(duplicate_distance * size);
-  for (int i = 0; i < mesh.points.rows(); ++i)
+  for (int i = 0; i < mesh_.points.rows(); ++i)
   {
-    if (!inspection.used(i))
-    {
+    if (!inspection_.used(i))
       continue;
-    }
     if (const int twin = seen.find(point(i) - origin); twin >= 0)
     {
       fail(
@@ -108,10 +106,10 @@ void Preparation::check_duplicates() const
 
 void Preparation::check_areas() const
 {
-  for (int t = 0; t < mesh.triangles.rows(); ++t)
+  for (int t = 0; t < mesh_.triangles.rows(); ++t)
   {
-    const int i = mesh.triangles(t, 0), j = mesh.triangles(t, 1), k = mesh.triangles(t, 2);
-    const Vector3 a = point(i), b = point(j), c = point(k);
+    const int i = mesh_.triangles(t, 0), j = mesh_.triangles(t, 1), k = mesh_.triangles(t, 2);
+    const auto [a, b, c] = corners(mesh_, t);
     const double longest =
       std::max({ (b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm() });
     if (i == j || j == k || k == i || (b - a).cross(c - a).norm() <= degenerate_area * longest)
@@ -125,15 +123,15 @@ void Preparation::check_areas() const
 
 void Preparation::check_edges() const
 {
-  if (const int e = inspection.first_crowded_edge(); e >= 0)
+  if (const int e = inspection_.first_nonmanifold_edge(); e >= 0)
   {
     fail("{} triangles meet at {}: a membrane has two at every edge; remove inner walls and double "
          "triangles",
-      inspection.edges()[e].size(), place_of_edge(e));
+      inspection_.edges()[e].size(), place_of_edge(e));
   }
-  if (const int e = inspection.first_open_edge(); e >= 0)
+  if (const int e = inspection_.first_border_edge(); e >= 0)
   {
-    const int holes = inspection.holes();
+    const int holes = inspection_.holes();
     fail("open border at {}: the mesh has {} hole{} and a vesicle none; close {} "
          "(vtkFillHolesFilter), or merge points along a seam (vtkCleanPolyData)",
       place_of_edge(e), holes, holes == 1 ? "" : "s", holes == 1 ? "it" : "them");
@@ -142,7 +140,7 @@ void Preparation::check_edges() const
 
 void Preparation::check_vertices() const
 {
-  if (const int v = inspection.first_pinched_vertex(); v >= 0)
+  if (const int v = inspection_.first_nonmanifold_vertex(); v >= 0)
   {
     fail("two parts of the surface touch in point {} {} only: give each part its own point, or "
          "remove one of them",
@@ -152,7 +150,7 @@ void Preparation::check_vertices() const
 
 void Preparation::check_components() const
 {
-  const std::vector<int> starts = inspection.component_vertices();
+  const std::vector<int> starts = inspection_.component_vertices();
   if (starts.size() > 1)
   {
     fail(
@@ -165,13 +163,11 @@ void Preparation::check_components() const
 
 void Preparation::check_genus() const
 {
-  if (const int genus = topology(mesh).genus; genus != 0)
+  if (const int genus = topology(mesh_).genus; genus != 0)
   {
     Vector3 middle = Vector3::Zero();
-    for (const int vertex : mesh.triangles.reshaped())
-    {
-      middle += point(vertex) / static_cast<double>(mesh.triangles.size());
-    }
+    for (const int vertex : mesh_.triangles.reshaped())
+      middle += point(vertex) / static_cast<double>(mesh_.triangles.size());
     fail(
       "the surface about its centre {} has genus {} ({} handle{}, as a torus has one): a vesicle "
       "here is a deformed sphere, of genus 0",
@@ -181,71 +177,60 @@ void Preparation::check_genus() const
 
 std::string Preparation::orient() const
 {
-  MeshInspection::Turns turns = inspection.turns_to_agree();
-  if (turns.contradicting_edge >= 0)
+  MeshInspection::Reorientation change = inspection_.reorientation();
+  if (change.contradicting_edge >= 0)
   {
     fail(
       "the surface has one side only (it can't be oriented), seen at {}: a vesicle has an inside "
       "and an outside",
-      place_of_edge(turns.contradicting_edge));
+      place_of_edge(change.contradicting_edge));
   }
-  const auto turn_over = [this](const std::vector<bool>& turned)
+  const auto flip = [this](const std::vector<bool>& flipped)
   {
-    for (int t = 0; t < mesh.triangles.rows(); ++t)
-    {
-      if (turned[t])
-      {
-        std::swap(mesh.triangles(t, 1), mesh.triangles(t, 2));
-      }
-    }
+    for (int t = 0; t < mesh_.triangles.rows(); ++t)
+      if (flipped[t])
+        std::swap(mesh_.triangles(t, 1), mesh_.triangles(t, 2));
   };
-  turn_over(turns.turned);
-  const double volume = flat_volume(mesh);
-  if (std::abs(volume) <= no_volume * std::pow(flat_area(mesh), 1.5))
+  flip(change.flipped);
+  const double volume = flat_volume(mesh_);
+  if (std::abs(volume) <= no_volume * std::pow(flat_area(mesh_), 1.5))
   {
-    fail("the surface encloses no volume {}: it is folded flat", near(point(mesh.triangles(0, 0))));
+    fail(
+      "the surface encloses no volume {}: it is folded flat", near(point(mesh_.triangles(0, 0))));
   }
   if (volume < 0)
   {
-    turn_over(std::vector<bool>(mesh.triangles.rows(), true));
-    turns.turned.flip();
+    flip(std::vector<bool>(mesh_.triangles.rows(), true));
+    change.flipped.flip();
   }
-  const auto count = std::ranges::count(turns.turned, true);
+  const auto count = std::ranges::count(change.flipped, true);
   if (count == 0)
-  {
     return {};
-  }
-  if (count == mesh.triangles.rows())
-  {
+  if (count == mesh_.triangles.rows())
     return "the triangles faced inward and were turned outward";
-  }
   return fmt::format("{} of {} triangles faced inward and were turned outward, as the others",
-    count, mesh.triangles.rows());
+    count, mesh_.triangles.rows());
 }
 
 std::string Preparation::drop_unused_points() const
 {
-  const int points = static_cast<int>(mesh.points.rows());
-  const int used = inspection.used_vertices();
+  const int points = static_cast<int>(mesh_.points.rows());
+  const int used = inspection_.used_vertices();
   if (used == points)
-  {
     return {};
-  }
   std::vector<int> number(points, -1);
   int next = 0;
   for (int i = 0; i < points; ++i)
   {
-    if (inspection.used(i))
+    if (inspection_.used(i))
     {
       number[i] = next;
-      mesh.points.row(next++) = point(i).transpose();
+      mesh_.points.row(next++) = point(i).transpose();
     }
   }
-  mesh.points.conservativeResize(used, Eigen::NoChange);
-  for (int& vertex : mesh.triangles.reshaped())
-  {
+  mesh_.points.conservativeResize(used, Eigen::NoChange);
+  for (int& vertex : mesh_.triangles.reshaped())
     vertex = number[vertex];
-  }
   return points - used == 1
     ? std::string("a point that no triangle uses was dropped")
     : fmt::format("{} points that no triangle uses were dropped", points - used);

@@ -1,3 +1,5 @@
+#include "solver/mesh/Topology.h"
+
 #include "solver/mesh/MeshInspection.h"
 
 namespace vesicle
@@ -8,8 +10,9 @@ Topology topology(const TriangleMesh& mesh)
 {
   const MeshInspection inspection(mesh);
   Topology result;
-  result.closed = mesh.triangles.rows() > 0 && inspection.first_open_edge() < 0;
-  result.manifold = inspection.first_crowded_edge() < 0 && inspection.first_pinched_vertex() < 0;
+  result.closed = mesh.triangles.rows() > 0 && inspection.first_border_edge() < 0;
+  result.manifold =
+    inspection.first_nonmanifold_edge() < 0 && inspection.first_nonmanifold_vertex() < 0;
   result.oriented = inspection.oriented();
   result.components = static_cast<int>(inspection.component_vertices().size());
   if (result.closed && result.manifold)

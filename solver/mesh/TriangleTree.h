@@ -15,8 +15,8 @@ Vector3 nearest_weights(const Vector3& a, const Vector3& b, const Vector3& c);
 class TriangleTree
 {
 public:
-  /// `facings`: a direction (of any length) that each triangle faces, one a row; only along() needs
-  /// them. Without triangles nothing may be asked.
+  /// `facings`: a direction (of any length) that each triangle faces, one a row; only intersect()
+  /// needs them. Without triangles nothing may be asked.
   explicit TriangleTree(TriangleMesh mesh, Points facings = {});
 
   struct Hit
@@ -28,14 +28,14 @@ public:
   Hit nearest(const Vector3& x) const;
   /// Where the line through x along `direction` (unit vector) meets triangles that face into the
   /// half space of `direction`, the place nearest to x.
-  Hit along(const Vector3& x, const Vector3& direction) const;
+  Hit intersect(const Vector3& x, const Vector3& direction) const;
 
   const TriangleMesh& mesh() const { return mesh_; }
   const Points& facings() const { return facings_; }
 
 private:
   /// The children of an inner node follow it: the left one at once, the right one at `right`; a
-  /// leaf (right < 0) has the triangles order[first] … order[last − 1].
+  /// leaf (right < 0) has the triangles order_[first] … order_[last − 1].
   struct Node
   {
     Eigen::AlignedBox3d box;
@@ -46,13 +46,12 @@ private:
 
   void build(int first, int last, const Points& centres);
   void visit_nearest(int node, const Vector3& x, Hit& best) const;
-  void visit_along(int node, const Vector3& x, const Vector3& direction, Hit& best) const;
-  std::array<Vector3, 3> corners_from(int triangle, const Vector3& origin) const;
+  void visit_intersections(int node, const Vector3& x, const Vector3& direction, Hit& best) const;
 
   TriangleMesh mesh_;
   Points facings_;
-  std::vector<int> order;
-  std::vector<Node> nodes;
+  std::vector<int> order_;
+  std::vector<Node> nodes_;
 };
 
 }

@@ -5,7 +5,8 @@
 #include "solver/dynamics/Method.h"
 #include "solver/flow/ImposedFlow.h"
 #include "solver/membrane/BendingScheme.h"
-#include "solver/mesh/shapes/Shapes.h"
+#include "solver/mesh/TriangleMesh.h"
+#include "solver/mesh/shapes/ShapeRequest.h"
 #include "solver/surface/SurfaceBasis.h"
 
 #include <array>

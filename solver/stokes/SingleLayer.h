@@ -3,6 +3,7 @@
 // dS(y), G = I/r + X Xᵀ/r³, paper (11)–(13) with μ = 1, as matrices from nodal unknowns of the
 // force density f.
 
+#include "solver/mesh/Connectivity.h"
 #include "solver/surface/SurfaceIntegrals.h"
 
 #include <vector>

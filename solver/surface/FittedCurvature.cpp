@@ -1,5 +1,7 @@
 #include "solver/surface/FittedCurvature.h"
 
+#include "solver/mesh/Connectivity.h"
+
 #include <Eigen/QR>
 #include <tbb/parallel_for.h>
 

@@ -4,6 +4,7 @@
 // evaluation after Stam (SIGGRAPH '98 course notes, "Evaluation of Loop subdivision surfaces"), by
 // recursion to a regular leaf instead of eigenvectors.
 
+#include "solver/mesh/Connectivity.h"
 #include "solver/surface/Basis.h"
 
 namespace vesicle

@@ -4,8 +4,8 @@
 #include "vtkfilters/Filters/MeshConversion.h"
 #include "vtkfilters/Filters/MeshFiles.h"
 #include "vtkfilters/Filters/SeriesFile.h"
+#include "solver/mesh/shapes/GeodesicSphere.h"
 
-#include "solver/mesh/shapes/Shapes.h"
 
 #include "vtkPolyData.h"
 

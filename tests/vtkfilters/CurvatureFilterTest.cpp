@@ -4,6 +4,7 @@
 #include "vtkfilters/Filters/VtkMessages.h"
 
 #include "tests/solver/support/TestMeshes.h"
+#include "solver/mesh/shapes/GeodesicSphere.h"
 
 #include "vtkCurvatures.h"
 #include "vtkDoubleArray.h"

@@ -3,6 +3,7 @@
 #include "tests/solver/support/TestMeshes.h"
 #include "vtkfilters/Filters/MeshConversion.h"
 #include "vtkfilters/Filters/VtkMessages.h"
+#include "solver/mesh/MeshIntegrals.h"
 
 #include "vtkAppendPolyData.h"
 #include "vtkCellData.h"

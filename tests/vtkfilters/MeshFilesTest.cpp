@@ -5,7 +5,9 @@
 #include "vtkfilters/Filters/MeshConversion.h"
 
 #include "solver/Errors.h"
-#include "solver/mesh/shapes/Shapes.h"
+#include "solver/mesh/MeshIntegrals.h"
+#include "solver/mesh/Topology.h"
+#include "solver/mesh/shapes/GeodesicSphere.h"
 #include "tests/solver/support/FullDisk.h"
 
 #include "vtkPolyData.h"

@@ -4,6 +4,7 @@
 #include "vtkfilters/Filters/MeshConversion.h"
 #include "vtkfilters/Filters/MeshFiles.h"
 #include "vtkfilters/Filters/VtkMessages.h"
+#include "solver/mesh/MeshIntegrals.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellData.h"

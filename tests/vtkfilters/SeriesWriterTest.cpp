@@ -6,7 +6,7 @@
 
 #include "solver/Errors.h"
 #include "solver/files/FileBytes.h"
-#include "solver/mesh/shapes/Shapes.h"
+#include "solver/mesh/shapes/GeodesicSphere.h"
 #include "tests/solver/support/FullDisk.h"
 
 #include "vtkDoubleArray.h"

@@ -2,6 +2,7 @@
 
 #include "vtkfilters/Filters/MeshConversion.h"
 #include "vtkfilters/Filters/VtkMessages.h"
+#include "solver/mesh/MeshIntegrals.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"

@@ -7,6 +7,10 @@
 #include "solver/surface/Cotan.h"
 #include "solver/surface/FittedCurvature.h"
 #include "solver/membrane/Bending.h"
+#include "solver/mesh/Connectivity.h"
+#include "solver/mesh/MeshIntegrals.h"
+#include "solver/mesh/Preparation.h"
+#include "solver/mesh/Topology.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"

@@ -5,6 +5,7 @@
 
 #include "solver/Errors.h"
 #include "solver/dynamics/Simulation.h"
+#include "solver/mesh/Preparation.h"
 
 #include "vtkFieldData.h"
 #include "vtkInformation.h"

@@ -4,6 +4,7 @@
 #include "SceneNumbers.h"
 
 #include "solver/Errors.h"
+#include "solver/mesh/Preparation.h"
 #include "solver/stokes/MembraneFlow.h"
 
 #include "vtkCellData.h"

@@ -2,37 +2,12 @@
 // A curved surface through the vertices of a triangle mesh, and its points along lines.
 
 #include "solver/mesh/TriangleTree.h"
+#include "solver/mesh/remesh/PointNormalTriangles.h"
 
 #include <vector>
 
 namespace vesicle
 {
-
-struct SurfacePoint
-{
-  Vector3 point;
-  Vector3 normal; ///< outward unit vector
-};
-
-/// Over each triangle a cubic patch from its corners and their normals: curved point-normal
-/// triangles (A. Vlachos, J. Peters, C. Boyd, J. L. Mitchell, Proc. I3D 2001, 159–166). The patches
-/// meet along the edges, nearly smoothly.
-class CurvedPatches
-{
-public:
-  /// `mesh`: closed, facing outward.
-  explicit CurvedPatches(const TriangleMesh& mesh);
-
-  const TriangleMesh& mesh() const { return mesh_; }
-  const Points& normals() const { return normals_; }
-  double longest_side(int patch) const;
-  /// The point of a patch with these barycentric weights.
-  SurfacePoint point(int patch, const Vector3& weights) const;
-
-private:
-  TriangleMesh mesh_;
-  Points normals_; ///< at the vertices
-};
 
 /// The patches, cut in flat pieces no longer than about `resolution` to be found.
 class CurvedSurface
@@ -40,11 +15,11 @@ class CurvedSurface
 public:
   CurvedSurface(const TriangleMesh& mesh, double resolution);
 
-  const Points& vertex_normals() const { return patches.normals(); }
+  const Points& vertex_normals() const { return patches_.normals(); }
   /// The surface's point on the line through x along `direction` (unit vector), nearest to x, where
   /// the line leaves the body. Unlike the nearest point of all it doesn't slide down from a sharp
   /// tip or rim, nor jump to the other side of a thin body. The nearest one if there is none.
-  SurfacePoint along(const Vector3& x, const Vector3& direction) const;
+  PointWithNormal project_along(const Vector3& x, const Vector3& direction) const;
 
   /// A piece of the surface.
   struct Sample
@@ -67,9 +42,9 @@ private:
   Pieces cut(double resolution) const;
   void cut_patch(int number, int sides, int& points, int& triangles, Pieces& pieces) const;
 
-  CurvedPatches patches;
-  Pieces pieces;
-  TriangleTree tree;
+  PointNormalTriangles patches_;
+  Pieces pieces_;
+  TriangleTree tree_;
 };
 
 }

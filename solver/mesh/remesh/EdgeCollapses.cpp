@@ -1,4 +1,6 @@
-#include "solver/mesh/remesh/EdgeEdits.h"
+#include "solver/mesh/remesh/EdgeCollapses.h"
+
+#include "solver/mesh/Connectivity.h"
 
 #include <algorithm>
 #include <iterator>
@@ -17,15 +19,14 @@ constexpr int largest_collapsed_valence = 9;
 class Collapses
 {
 public:
-  Collapses(DraftMesh& mesh, double longest)
-    : mesh(mesh), longest(longest),
-      connectivity(mesh.triangles, static_cast<int>(mesh.points.rows())),
-      goal(mesh.points.rows(), -1), locked(mesh.points.rows(), false), valence(mesh.points.rows())
+  Collapses(EditableMesh& mesh, double longest)
+    : mesh_(mesh), longest_(longest),
+      connectivity_(mesh.triangles, static_cast<int>(mesh.points.rows())),
+      goal_(mesh.points.rows(), -1), locked_(mesh.points.rows(), false),
+      valence_(mesh.points.rows())
   {
     for (int i = 0; i < mesh.points.rows(); ++i)
-    {
-      valence[i] = connectivity.vertex_neighbours.size(i);
-    }
+      valence_[i] = connectivity_.vertex_neighbours.size(i);
   }
   /// Plans to draw a and b together, if that is possible.
   bool collapse(int a, int b);
@@ -37,42 +38,38 @@ private:
   bool faces_outward_after(int from, int to) const;
   bool fits(int from, int to) const
   {
-    return longest_after(from, to) <= longest && faces_outward_after(from, to);
+    return longest_after(from, to) <= longest_ && faces_outward_after(from, to);
   }
 
-  DraftMesh& mesh;
-  double longest;
-  Connectivity connectivity;
-  std::vector<int> goal; ///< the vertex that a vertex is drawn to, −1 if it stays
-  std::vector<bool> locked;
-  std::vector<int> valence;
+  EditableMesh& mesh_;
+  double longest_;
+  Connectivity connectivity_;
+  std::vector<int> goal_; ///< the vertex that a vertex is drawn to, −1 if it stays
+  std::vector<bool> locked_;
+  std::vector<int> valence_;
 };
 
 /// The longest edge that the vertex `to` has if `from` is drawn to it.
 double Collapses::longest_after(int from, int to) const
 {
-  const AdjacencyList& around = connectivity.vertex_neighbours;
+  const AdjacencyList& around = connectivity_.vertex_neighbours;
   double result = 0;
   for (const int* i = around.begin(from); i != around.end(from); ++i)
-  {
-    result = *i == to ? result : std::max(result, mesh.length(to, *i));
-  }
+    result = *i == to ? result : std::max(result, mesh_.length(to, *i));
   return result;
 }
 
 bool Collapses::faces_outward_after(int from, int to) const
 {
-  const AdjacencyList& around = connectivity.vertex_triangles;
+  const AdjacencyList& around = connectivity_.vertex_triangles;
   for (const int* t = around.begin(from); t != around.end(from); ++t)
   {
-    Eigen::Vector3i corners = mesh.triangles.row(*t);
+    Eigen::Vector3i corners = mesh_.triangles.row(*t);
     if ((corners.array() != to).all())
     {
       corners = (corners.array() == from).select(to, corners);
-      if (!mesh.faces_outward(corners[0], corners[1], corners[2]))
-      {
+      if (!mesh_.faces_outward(corners[0], corners[1], corners[2]))
         return false;
-      }
     }
   }
   return true;
@@ -82,86 +79,70 @@ bool Collapses::faces_outward_after(int from, int to) const
 /// condition: T. K. Dey, H. Edelsbrunner, S. Guha, D. V. Nekhayev, Publ. Inst. Math. 66 (1999) 23).
 bool Collapses::possible(const std::vector<int>& common, int a, int b) const
 {
-  const int after = valence[a] + valence[b] - 4;
-  return common.size() == 2 && valence[common[0]] > least_collapsed_valence &&
-    valence[common[1]] > least_collapsed_valence && after >= least_collapsed_valence &&
-    after <= std::max({ valence[a], valence[b], largest_collapsed_valence });
+  const int after = valence_[a] + valence_[b] - 4;
+  return common.size() == 2 && valence_[common[0]] > least_collapsed_valence &&
+    valence_[common[1]] > least_collapsed_valence && after >= least_collapsed_valence &&
+    after <= std::max({ valence_[a], valence_[b], largest_collapsed_valence });
 }
 
 bool Collapses::collapse(int a, int b)
 {
-  if (locked[a] || locked[b])
-  {
+  if (locked_[a] || locked_[b])
     return false;
-  }
-  const AdjacencyList& around = connectivity.vertex_neighbours;
+  const AdjacencyList& around = connectivity_.vertex_neighbours;
   std::vector<int> common;
   std::set_intersection(
     around.begin(a), around.end(a), around.begin(b), around.end(b), std::back_inserter(common));
   if (!possible(common, a, b))
-  {
     return false;
-  }
   const double tie = 1 + 1e-9; // rounding shan't decide between equals
   if (longest_after(b, a) * tie < longest_after(a, b))
-  {
     std::swap(a, b);
-  }
   if (!fits(a, b))
-  {
     std::swap(a, b);
-  }
   if (!fits(a, b))
-  {
     return false;
-  }
-  goal[a] = b;
-  locked[a] = true;
+  goal_[a] = b;
+  locked_[a] = true;
   for (const int* i = around.begin(a); i != around.end(a); ++i)
-  {
-    locked[*i] = true;
-  }
-  valence[b] += valence[a] - 4;
-  --valence[common[0]];
-  --valence[common[1]];
+    locked_[*i] = true;
+  valence_[b] += valence_[a] - 4;
+  --valence_[common[0]];
+  --valence_[common[1]];
   return true;
 }
 
 void Collapses::apply()
 {
-  std::vector<int> number(goal.size(), -1);
+  std::vector<int> number(goal_.size(), -1);
   int points = 0;
-  for (int i = 0; i < static_cast<int>(goal.size()); ++i)
+  for (int i = 0; i < static_cast<int>(goal_.size()); ++i)
   {
-    if (goal[i] < 0)
+    if (goal_[i] < 0)
     {
-      mesh.points.row(points) = mesh.points.row(i).eval();
-      mesh.normals.row(points) = mesh.normals.row(i).eval();
+      mesh_.points.row(points) = mesh_.points.row(i).eval();
+      mesh_.normals.row(points) = mesh_.normals.row(i).eval();
       number[i] = points++;
     }
   }
-  mesh.points.conservativeResize(points, Eigen::NoChange);
-  mesh.normals.conservativeResize(points, Eigen::NoChange);
-  const auto renumbered = [&](int i) { return number[goal[i] < 0 ? i : goal[i]]; };
-  std::ranges::transform(mesh.references, mesh.references.begin(), renumbered);
+  mesh_.points.conservativeResize(points, Eigen::NoChange);
+  mesh_.normals.conservativeResize(points, Eigen::NoChange);
+  const auto renumbered = [&](int i) { return number[goal_[i] < 0 ? i : goal_[i]]; };
+  std::ranges::transform(mesh_.references, mesh_.references.begin(), renumbered);
   int triangles = 0;
-  for (int t = 0; t < mesh.triangles.rows(); ++t)
+  for (int t = 0; t < mesh_.triangles.rows(); ++t)
   {
-    Eigen::RowVector3i row = mesh.triangles.row(t);
+    Eigen::RowVector3i row = mesh_.triangles.row(t);
     for (int& corner : row)
-    {
       corner = renumbered(corner);
-    }
     if (row[0] != row[1] && row[1] != row[2] && row[2] != row[0])
-    {
-      mesh.triangles.row(triangles++) = row;
-    }
+      mesh_.triangles.row(triangles++) = row;
   }
-  mesh.triangles.conservativeResize(triangles, Eigen::NoChange);
+  mesh_.triangles.conservativeResize(triangles, Eigen::NoChange);
 }
 }
 
-int collapse_edges(DraftMesh& mesh, double length, double longest, int most)
+int collapse_edges(EditableMesh& mesh, double length, double longest, int most)
 {
   const EdgeUses edges(mesh.triangles);
   Collapses collapses(mesh, longest);

@@ -1,4 +1,4 @@
-#include "solver/mesh/remesh/EdgeEdits.h"
+#include "solver/mesh/remesh/EdgeFlips.h"
 
 #include "solver/mesh/HalfEdgeMesh.h"
 
@@ -28,13 +28,13 @@ double angle(const Vector3& at, const Vector3& left, const Vector3& right)
 class Flips
 {
 public:
-  explicit Flips(DraftMesh& mesh)
-    : mesh(mesh), half_edges(mesh.triangles, static_cast<int>(mesh.points.rows()))
+  explicit Flips(EditableMesh& mesh)
+    : mesh_(mesh), half_edges_(mesh.triangles, static_cast<int>(mesh.points.rows()))
   {
   }
   bool round(FlipGoal goal);
   void glide(std::mt19937& random);
-  void apply() { mesh.triangles = half_edges.triangles(); }
+  void apply() { mesh_.triangles = half_edges_.triangles(); }
 
 private:
   int valence_gain(int h) const;
@@ -43,34 +43,34 @@ private:
   bool wants(int h, FlipGoal goal) const;
   bool may(int h) const;
 
-  DraftMesh& mesh;
-  FlippableMesh half_edges;
+  EditableMesh& mesh_;
+  HalfEdgeMesh half_edges_;
 };
 
 /// By how much a flip lowers the sum of (valence − 6)² over the four vertices.
 int Flips::valence_gain(int h) const
 {
-  const auto excess = [&](int vertex) { return half_edges.valence(vertex) - 6; };
-  const int a = excess(half_edges.from(h)), b = excess(half_edges.to(h));
-  const int c = excess(half_edges.apex(h)), d = excess(half_edges.apex(half_edges.twin(h)));
+  const auto excess = [&](int vertex) { return half_edges_.valence(vertex) - 6; };
+  const int a = excess(half_edges_.from(h)), b = excess(half_edges_.to(h));
+  const int c = excess(half_edges_.apex(h)), d = excess(half_edges_.apex(half_edges_.twin(h)));
   return 2 * (a + b - c - d) - 4;
 }
 
 /// The sum of the two angles that face the edge: over π Delaunay flips it.
 double Flips::facing_angles(int h) const
 {
-  const Vector3 a = mesh.point(half_edges.from(h)), b = mesh.point(half_edges.to(h));
-  return angle(mesh.point(half_edges.apex(h)), a, b) +
-    angle(mesh.point(half_edges.apex(half_edges.twin(h))), a, b);
+  const Vector3 a = mesh_.point(half_edges_.from(h)), b = mesh_.point(half_edges_.to(h));
+  return angle(mesh_.point(half_edges_.apex(h)), a, b) +
+    angle(mesh_.point(half_edges_.apex(half_edges_.twin(h))), a, b);
 }
 
 /// What a flip gains in following a sharp rim or tip: by how much the edge is too steep, before
 /// less after. In radians nearly, so that it counts as angles do.
 double Flips::steepness_gain(int h) const
 {
-  const auto excess = [&](int a, int b) { return std::max(0.0, mesh.steepness(a, b) - steep); };
-  return excess(half_edges.from(h), half_edges.to(h)) -
-    excess(half_edges.apex(h), half_edges.apex(half_edges.twin(h)));
+  const auto excess = [&](int a, int b) { return std::max(0.0, mesh_.steepness(a, b) - steep); };
+  return excess(half_edges_.from(h), half_edges_.to(h)) -
+    excess(half_edges_.apex(h), half_edges_.apex(half_edges_.twin(h)));
 }
 
 bool Flips::wants(int h, FlipGoal goal) const
@@ -80,43 +80,37 @@ bool Flips::wants(int h, FlipGoal goal) const
   const double steeper = steepness_gain(h);
   const int gain = valence_gain(h);
   if (goal == FlipGoal::valences)
-  {
     return gain > 0 && steeper >= 0 && facing_angles(h) > obtuse;
-  }
   return facing_angles(h) + steeper > std::numbers::pi + margin && gain > worst_gain;
 }
 
 bool Flips::may(int h) const
 {
-  const int a = half_edges.from(h), b = half_edges.to(h), c = half_edges.apex(h),
-            d = half_edges.apex(half_edges.twin(h));
-  return half_edges.valence(a) > least_valence && half_edges.valence(b) > least_valence &&
-    half_edges.valence(c) < largest_valence && half_edges.valence(d) < largest_valence &&
-    half_edges.find(c, d) < 0 && mesh.faces_outward(a, d, c) && mesh.faces_outward(d, b, c);
+  const int a = half_edges_.from(h), b = half_edges_.to(h), c = half_edges_.apex(h),
+            d = half_edges_.apex(half_edges_.twin(h));
+  return half_edges_.valence(a) > least_valence && half_edges_.valence(b) > least_valence &&
+    half_edges_.valence(c) < largest_valence && half_edges_.valence(d) < largest_valence &&
+    half_edges_.find(c, d) < 0 && mesh_.faces_outward(a, d, c) && mesh_.faces_outward(d, b, c);
 }
 
 void Flips::glide(std::mt19937& random)
 {
   const int one_in = 4; // too many at once don't get far
   const double allowed_steepening = 0.05;
-  for (int h = 0; h < half_edges.half_edges(); ++h)
-  {
-    if (half_edges.twin(h) > h && valence_gain(h) == 0 && facing_angles(h) > obtuse &&
+  for (int h = 0; h < half_edges_.half_edges(); ++h)
+    if (half_edges_.twin(h) > h && valence_gain(h) == 0 && facing_angles(h) > obtuse &&
       steepness_gain(h) >= -allowed_steepening && may(h) && random() % one_in == 0)
-    {
-      half_edges.flip(h);
-    }
-  }
+      half_edges_.flip(h);
 }
 
 bool Flips::round(FlipGoal goal)
 {
   bool changed = false;
-  for (int h = 0; h < half_edges.half_edges(); ++h)
+  for (int h = 0; h < half_edges_.half_edges(); ++h)
   {
-    if (half_edges.twin(h) > h && wants(h, goal) && may(h))
+    if (half_edges_.twin(h) > h && wants(h, goal) && may(h))
     {
-      half_edges.flip(h);
+      half_edges_.flip(h);
       changed = true;
     }
   }
@@ -124,7 +118,7 @@ bool Flips::round(FlipGoal goal)
 }
 }
 
-void flip_edges(DraftMesh& mesh, FlipGoal goal)
+void flip_edges(EditableMesh& mesh, FlipGoal goal)
 {
   const int rounds = 10; // flips limited by the valence might go round in circles
   Flips flips(mesh);
@@ -134,7 +128,7 @@ void flip_edges(DraftMesh& mesh, FlipGoal goal)
   flips.apply();
 }
 
-void glide_edges(DraftMesh& mesh, std::mt19937& random)
+void glide_dislocations(EditableMesh& mesh, std::mt19937& random)
 {
   Flips flips(mesh);
   flips.glide(random);

@@ -1,4 +1,6 @@
-#include "solver/mesh/remesh/EdgeEdits.h"
+#include "solver/mesh/remesh/EdgeSplits.h"
+
+#include "solver/mesh/Refinement.h"
 
 #include <algorithm>
 #include <ranges>
@@ -14,23 +16,23 @@ constexpr double least_part = 0.25;
 
 /// Near the middle of the edge's cubic Hermite arc, whose tangents at the ends are the edge itself
 /// less its normal part: also where the surface turns by 90° and more.
-SurfacePoint middle_of_edge(const DraftMesh& mesh, const CurvedSurface& surface, int a, int b)
+PointWithNormal middle_of_edge(const EditableMesh& mesh, const CurvedSurface& surface, int a, int b)
 {
   const Vector3 edge = mesh.point(b) - mesh.point(a);
   const Vector3 bulge =
     edge.dot(mesh.normal(b)) * mesh.normal(b) - edge.dot(mesh.normal(a)) * mesh.normal(a);
-  return surface.along((mesh.point(a) + mesh.point(b)) / 2 + bulge / 8,
+  return surface.project_along((mesh.point(a) + mesh.point(b)) / 2 + bulge / 8,
     (mesh.normal(a) + mesh.normal(b)).normalized());
 }
 
 struct Split
 {
   int edge;
-  SurfacePoint middle;
+  PointWithNormal middle;
 };
 
 /// Which edges are cut, and where: no two at one triangle.
-std::vector<Split> choose_splits(const DraftMesh& mesh, const EdgeUses& edges,
+std::vector<Split> choose_splits(const EditableMesh& mesh, const EdgeUses& edges,
   const CurvedSurface& surface, double length, int most)
 {
   std::vector<Split> chosen;
@@ -41,10 +43,8 @@ std::vector<Split> choose_splits(const DraftMesh& mesh, const EdgeUses& edges,
     const auto [a, b, left, forward] = edges[e].front();
     const int right = edges[e].back().triangle;
     if (static_cast<int>(chosen.size()) == most || changed[left] || changed[right])
-    {
       continue;
-    }
-    const SurfacePoint middle = middle_of_edge(mesh, surface, a, b);
+    const PointWithNormal middle = middle_of_edge(mesh, surface, a, b);
     const double nearer =
       std::min((middle.point - mesh.point(a)).norm(), (middle.point - mesh.point(b)).norm());
     if (nearer > least_part * mesh.length(a, b))
@@ -57,7 +57,7 @@ std::vector<Split> choose_splits(const DraftMesh& mesh, const EdgeUses& edges,
 }
 }
 
-int split_edges(DraftMesh& mesh, const CurvedSurface& surface, double length, int most)
+int split_edges(EditableMesh& mesh, const CurvedSurface& surface, double length, int most)
 {
   const EdgeUses edges(mesh.triangles);
   const std::vector<Split> splits = choose_splits(mesh, edges, surface, length, most);
@@ -83,7 +83,7 @@ int split_edges(DraftMesh& mesh, const CurvedSurface& surface, double length, in
   return count;
 }
 
-void cut_in_four(DraftMesh& mesh, const CurvedSurface& surface)
+void refine(EditableMesh& mesh, const CurvedSurface& surface)
 {
   const EdgeUses edges(mesh.triangles);
   const int points = static_cast<int>(mesh.points.rows());
@@ -92,11 +92,11 @@ void cut_in_four(DraftMesh& mesh, const CurvedSurface& surface)
   for (int e = 0; e < edges.size(); ++e)
   {
     const EdgeUse& use = edges[e].front();
-    const SurfacePoint middle = middle_of_edge(mesh, surface, use.a, use.b);
+    const PointWithNormal middle = middle_of_edge(mesh, surface, use.a, use.b);
     mesh.points.row(points + e) = middle.point;
     mesh.normals.row(points + e) = middle.normal;
   }
-  mesh.triangles = cut_in_four(mesh.triangles, edges, points);
+  mesh.triangles = refined(mesh.triangles, edges, points);
 }
 
 }

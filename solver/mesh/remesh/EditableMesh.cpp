@@ -1,7 +1,5 @@
 #include "solver/mesh/remesh/EditableMesh.h"
 
-#include "solver/mesh/MeshQuality.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -9,34 +7,32 @@
 namespace vesicle
 {
 
-bool DraftMesh::faces_outward(int a, int b, int c) const
+bool EditableMesh::faces_outward(int a, int b, int c) const
 {
   const Vector3 area = (point(b) - point(a)).cross(point(c) - point(a));
   return area.dot(normal(a) + normal(b) + normal(c)) > 0;
 }
 
-double DraftMesh::steepness(int a, int b) const
+double EditableMesh::steepness(int a, int b) const
 {
   const Vector3 edge = (point(b) - point(a)).normalized();
   return std::max(std::abs(edge.dot(normal(a))), std::abs(edge.dot(normal(b))));
 }
 
-double DraftMesh::least_angle() const
+MeshQuality EditableMesh::quality() const
 {
-  return mesh_quality({ points, triangles }).min_angle_deg;
+  return mesh_quality({ points, triangles });
 }
 
-std::vector<int> DraftMesh::valences() const
+std::vector<int> EditableMesh::valences() const
 {
   std::vector<int> result(points.rows(), 0);
   for (const int i : triangles.reshaped())
-  {
     ++result[i];
-  }
   return result;
 }
 
-std::vector<int> DraftMesh::edges_between(double low, double high, const EdgeUses& edges) const
+std::vector<int> EditableMesh::edges_between(double low, double high, const EdgeUses& edges) const
 {
   const double rounding = 1e-10;
   std::vector<std::pair<double, int>> found;
@@ -44,16 +40,12 @@ std::vector<int> DraftMesh::edges_between(double low, double high, const EdgeUse
   {
     const double d = length(edges[e].front().a, edges[e].front().b);
     if (d > low && d < high)
-    {
       found.emplace_back(std::round(d / rounding), e);
-    }
   }
   std::ranges::sort(found);
   std::vector<int> result;
   for (const auto& [rounded_length, e] : found)
-  {
     result.push_back(e);
-  }
   return result;
 }
 

@@ -2,13 +2,14 @@
 // A mesh under construction on a smooth surface.
 
 #include "solver/mesh/EdgeUses.h"
+#include "solver/mesh/MeshQuality.h"
 
 namespace vesicle
 {
 
 /// A closed, oriented manifold on a surface of size about 1, with the surface's outward normals at
 /// its points.
-struct DraftMesh
+struct EditableMesh
 {
   Points points;
   Points normals;
@@ -25,7 +26,7 @@ struct DraftMesh
   /// tangent planes at its ends; half its length over the radius of curvature where that is small.
   double steepness(int a, int b) const;
 
-  double least_angle() const; ///< degrees
+  MeshQuality quality() const;
 
   /// The number of each vertex' neighbours.
   std::vector<int> valences() const;

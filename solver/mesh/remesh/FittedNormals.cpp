@@ -1,5 +1,8 @@
 #include "solver/mesh/remesh/FittedNormals.h"
 
+#include "solver/mesh/Connectivity.h"
+#include "solver/mesh/VertexNormals.h"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
@@ -19,30 +22,12 @@ constexpr double same_side = 0.5;
 /// A fit that turns the average normal by more than 30° (cosine) answers noise or a sharp edge.
 constexpr double trusted_turn = 0.866;
 
-/// Triangle normals weighted by sin α/(|e1| |e2|): exact on a sphere (N. Max, J. Graphics Tools 4
-/// (1999), no. 2, 1–6).
-Points average_normals(const TriangleMesh& mesh)
-{
-  Points sum = Points::Zero(mesh.points.rows(), 3);
-  for (const auto triangle : mesh.triangles.rowwise())
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const Vector3 at = mesh.points.row(triangle[k]);
-      const Vector3 left = mesh.points.row(triangle[(k + 1) % 3]).transpose() - at;
-      const Vector3 right = mesh.points.row(triangle[(k + 2) % 3]).transpose() - at;
-      sum.row(triangle[k]) += left.cross(right) / (left.squaredNorm() * right.squaredNorm());
-    }
-  }
-  return sum.rowwise().normalized();
-}
-
 class NormalFit
 {
 public:
   explicit NormalFit(const TriangleMesh& mesh)
-    : mesh(mesh), connectivity(mesh.triangles, static_cast<int>(mesh.points.rows())),
-      averages(average_normals(mesh))
+    : mesh_(mesh), connectivity_(mesh.triangles, static_cast<int>(mesh.points.rows())),
+      averages_(vertex_normals(mesh.points, mesh.triangles, NormalWeights::inverse_edges))
   {
   }
   Vector3 normal(int i) const;
@@ -50,15 +35,15 @@ public:
 private:
   std::vector<int> two_ring(int i) const;
 
-  const TriangleMesh& mesh;
-  Connectivity connectivity;
-  Points averages;
+  const TriangleMesh& mesh_;
+  Connectivity connectivity_;
+  Points averages_;
 };
 
 /// The vertices within two edges of i that face as i does.
 std::vector<int> NormalFit::two_ring(int i) const
 {
-  const AdjacencyList& around = connectivity.vertex_neighbours;
+  const AdjacencyList& around = connectivity_.vertex_neighbours;
   std::vector<int> ring;
   for (const int* j = around.begin(i); j != around.end(i); ++j)
   {
@@ -69,7 +54,7 @@ std::vector<int> NormalFit::two_ring(int i) const
   const auto repeated = std::ranges::unique(ring);
   ring.erase(repeated.begin(), repeated.end());
   std::erase_if(
-    ring, [&](int j) { return j == i || averages.row(i).dot(averages.row(j)) < same_side; });
+    ring, [&](int j) { return j == i || averages_.row(i).dot(averages_.row(j)) < same_side; });
   return ring;
 }
 
@@ -79,17 +64,15 @@ std::vector<int> NormalFit::two_ring(int i) const
 /// 1/d.
 Vector3 NormalFit::normal(int i) const
 {
-  const Vector3 up = averages.row(i);
+  const Vector3 up = averages_.row(i);
   const std::vector<int> ring = two_ring(i);
   const int count = static_cast<int>(ring.size());
   if (count < fewest_neighbours)
-  {
     return up;
-  }
   Eigen::Matrix<double, 3, 2> plane;
   plane.col(0) = up.unitOrthogonal();
   plane.col(1) = up.cross(plane.col(0));
-  const Points offsets = mesh.points(ring, Eigen::all).rowwise() - mesh.points.row(i);
+  const Points offsets = mesh_.points(ring, Eigen::all).rowwise() - mesh_.points.row(i);
   const Eigen::Matrix<double, Eigen::Dynamic, 2> flat = offsets * plane;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> spread(flat.transpose() * flat / count);
   const Eigen::Matrix2d scale = spread.eigenvectors() *
@@ -106,9 +89,7 @@ Vector3 NormalFit::normal(int i) const
   const Eigen::VectorXd heights = offsets * up;
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> fit(weight.matrix().asDiagonal() * terms);
   if (fit.rank() < 5)
-  {
     return up;
-  }
   const Eigen::VectorXd coefficients = fit.solve((weight * heights.array()).matrix());
   const Vector3 fitted = (up - plane * scale * coefficients.head<2>()).normalized();
   return fitted.dot(up) >= trusted_turn ? fitted : up;
@@ -120,9 +101,7 @@ Points fitted_normals(const TriangleMesh& mesh)
   const NormalFit fit(mesh);
   Points normals(mesh.points.rows(), 3);
   for (int i = 0; i < normals.rows(); ++i)
-  {
     normals.row(i) = fit.normal(i);
-  }
   return normals;
 }
 

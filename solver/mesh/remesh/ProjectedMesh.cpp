@@ -1,5 +1,8 @@
 #include "solver/mesh/remesh/ProjectedMesh.h"
 
+#include "solver/mesh/Connectivity.h"
+#include "solver/mesh/MeshIntegrals.h"
+#include "solver/mesh/remesh/TriangleCount.h"
 #include "solver/mesh/shapes/UniformMesh.h"
 
 #include <Eigen/Eigenvalues>
@@ -20,7 +23,7 @@ constexpr double allowed_loss = 30;
 /// The images of the unit vectors are the semi-axes of an ellipsoid with the surface's principal
 /// axes and its extents along them. They point where the third moments are positive, so that a
 /// turned surface's are turned.
-Eigen::Matrix3d principal_axes(const DraftMesh& surface)
+Eigen::Matrix3d principal_axes(const EditableMesh& surface)
 {
   const Triangles& triangles = surface.triangles;
   Points centres(triangles.rows(), 3);
@@ -48,61 +51,53 @@ Eigen::Matrix3d principal_axes(const DraftMesh& surface)
 
 /// The vertex from which each sample of the surface starts looking for its nearest one: the one on
 /// the nearest ray, found from neighbour to neighbour.
-std::vector<int> first_owners(
-  const SphereMesh& sphere, const Eigen::Matrix3d& image, const Relaxation& relaxation)
+std::vector<int> first_nearest(
+  const SphereMesh& sphere, const Eigen::Matrix3d& image, const SurfaceSmoother& smoother)
 {
   const Connectivity connectivity(sphere.triangles, static_cast<int>(sphere.directions.rows()));
   const AdjacencyList& around = connectivity.vertex_neighbours;
   const Eigen::Matrix3d back = image.inverse();
-  std::vector<int> owners;
-  int owner = 0;
-  for (const CurvedSurface::Sample& sample : relaxation.samples())
+  std::vector<int> nearest;
+  int vertex = 0;
+  for (const CurvedSurface::Sample& sample : smoother.samples())
   {
     const Vector3 direction = back * sample.point;
-    for (int last = -1; owner != last;)
+    for (int last = -1; vertex != last;)
     {
-      last = owner;
+      last = vertex;
       for (const int* i = around.begin(last); i != around.end(last); ++i)
-      {
-        if (sphere.directions.row(*i).dot(direction) > sphere.directions.row(owner).dot(direction))
-        {
-          owner = *i;
-        }
-      }
+        if (sphere.directions.row(*i).dot(direction) > sphere.directions.row(vertex).dot(direction))
+          vertex = *i;
     }
-    owners.push_back(owner);
+    nearest.push_back(vertex);
   }
-  return owners;
+  return nearest;
 }
 }
 
-std::optional<DraftMesh> carried_mesh(const Relaxation& relaxation, int triangles)
+std::optional<EditableMesh> projected_mesh(const SurfaceSmoother& smoother, int triangles)
 {
-  const Eigen::Matrix3d image = principal_axes(relaxation.input());
+  const Eigen::Matrix3d image = principal_axes(smoother.input());
   const SphereMesh sphere =
     uniform_mesh([&](const Vector3& d) -> Vector3 { return image * d; }, triangles, Symmetry::none);
   const auto count = static_cast<double>(sphere.triangles.rows());
   if (std::abs(count - triangles) > allowed_deviation * triangles)
-  {
     return std::nullopt;
-  }
-  DraftMesh mesh{ sphere.directions * image.transpose(), sphere.directions, sphere.triangles,
-    first_owners(sphere, image, relaxation) };
+  EditableMesh mesh{ sphere.directions * image.transpose(), sphere.directions, sphere.triangles,
+    first_nearest(sphere, image, smoother) };
   for (int i = 0; i < mesh.points.rows(); ++i)
   {
     const Vector3 x = mesh.points.row(i);
-    const SurfacePoint there = relaxation.surface().along(x, x.normalized());
+    const PointWithNormal there = smoother.surface().project_along(x, x.normalized());
     mesh.points.row(i) = there.point;
     mesh.normals.row(i) = there.normal;
   }
   for (int pass = 0; pass < passes; ++pass)
-  {
-    relaxation.relax(mesh);
-  }
+    smoother.smooth(mesh);
   const double area = flat_area({ mesh.points, mesh.triangles });
-  const bool all_of_it = area >= (1 - allowed_loss / count) * relaxation.area();
-  return all_of_it && mesh.least_angle() >= least_angle ? std::optional(std::move(mesh))
-                                                        : std::nullopt;
+  const bool all_of_it = area >= (1 - allowed_loss / count) * smoother.area();
+  return all_of_it && mesh.quality().min_angle_deg >= least_angle ? std::optional(std::move(mesh))
+                                                                  : std::nullopt;
 }
 
 }

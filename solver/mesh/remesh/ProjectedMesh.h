@@ -8,10 +8,10 @@
 namespace vesicle
 {
 
-/// The uniform_mesh() of an ellipsoid with the body's principal axes, carried to its surface along
-/// the rays from the origin and smoothed there: `triangles` triangles to 1%. Nothing where rays
-/// cross the surface more than once, or the mesh doesn't resolve it. The origin is the body's
+/// The uniform_mesh() of an ellipsoid with the body's principal axes, projected onto its surface
+/// along the rays from the origin and smoothed there: `triangles` triangles to 1%. Nothing where
+/// rays cross the surface more than once, or the mesh doesn't resolve it. The origin is the body's
 /// centroid.
-std::optional<DraftMesh> carried_mesh(const Relaxation& relaxation, int triangles);
+std::optional<EditableMesh> projected_mesh(const SurfaceSmoother& smoother, int triangles);
 
 }

@@ -1,10 +1,12 @@
 #include "solver/mesh/remesh/Remesh.h"
 
 #include "solver/Errors.h"
-#include "solver/mesh/remesh/ProjectedMesh.h"
-#include "solver/mesh/remesh/IsotropicMesh.h"
-#include "solver/mesh/remesh/SemiRegularMesh.h"
+#include "solver/mesh/Connectivity.h"
+#include "solver/mesh/MeshIntegrals.h"
 #include "solver/mesh/TriangleTree.h"
+#include "solver/mesh/remesh/IsotropicMesh.h"
+#include "solver/mesh/remesh/ProjectedMesh.h"
+#include "solver/mesh/remesh/SemiRegularMesh.h"
 
 #include <fmt/format.h>
 
@@ -52,23 +54,23 @@ class Normalisation
 {
 public:
   explicit Normalisation(const TriangleMesh& mesh)
-    : centre(volume_centroid(mesh)), r0(std::cbrt(3 * flat_volume(mesh) / (4 * std::numbers::pi)))
+    : centre_(volume_centroid(mesh)), r0_(std::cbrt(3 * flat_volume(mesh) / (4 * std::numbers::pi)))
   {
   }
   TriangleMesh normalised(TriangleMesh mesh) const
   {
-    mesh.points = ((mesh.points.rowwise() - centre.transpose()) / r0).eval();
+    mesh.points = ((mesh.points.rowwise() - centre_.transpose()) / r0_).eval();
     return mesh;
   }
   TriangleMesh restored(TriangleMesh mesh) const
   {
-    mesh.points = ((mesh.points * r0).rowwise() + centre.transpose()).eval();
+    mesh.points = ((mesh.points * r0_).rowwise() + centre_.transpose()).eval();
     return mesh;
   }
 
 private:
-  Vector3 centre;
-  double r0;
+  Vector3 centre_;
+  double r0_;
 };
 
 void check_request(int triangles)
@@ -82,16 +84,12 @@ void check_request(int triangles)
 
 TriangleMesh new_mesh(const TriangleMesh& input, int triangles)
 {
-  const Relaxation relaxation(input, triangles);
-  std::optional<DraftMesh> mesh = carried_mesh(relaxation, triangles);
+  const SurfaceSmoother smoother(input, triangles);
+  std::optional<EditableMesh> mesh = projected_mesh(smoother, triangles);
   if (!mesh)
-  {
-    mesh = semi_regular_mesh(relaxation, triangles);
-  }
+    mesh = semi_regular_mesh(smoother, triangles);
   if (!mesh)
-  {
-    mesh = isotropic_mesh(relaxation, triangles, MeshGoal::shape);
-  }
+    mesh = isotropic_mesh(smoother, triangles, MeshGoal::triangle_shape);
   if (!mesh)
   {
     throw InputError(fmt::format(
@@ -101,7 +99,7 @@ TriangleMesh new_mesh(const TriangleMesh& input, int triangles)
 }
 
 /// `distance`: of the input's points to the new triangles.
-void check_result(const ResampleReport& report, double distance)
+void check_result(const RemeshReport& report, double distance)
 {
   const auto beginning = [&]
   { return fmt::format("{} triangles are too few for this mesh: ", report.triangles); };
@@ -122,9 +120,9 @@ void check_result(const ResampleReport& report, double distance)
 }
 
 /// Of meshes normalised by the input's r0.
-ResampleReport report_on(const TriangleMesh& input, const TriangleMesh& mesh)
+RemeshReport report_on(const TriangleMesh& input, const TriangleMesh& mesh)
 {
-  ResampleReport report;
+  RemeshReport report;
   report.triangles = static_cast<int>(mesh.triangles.rows());
   const Distances there = distances(input.points, mesh), back = distances(mesh.points, input);
   report.max_distance = std::max(there.largest, back.largest);
@@ -151,13 +149,13 @@ ResampleReport report_on(const TriangleMesh& input, const TriangleMesh& mesh)
 }
 }
 
-Resampled resample(const TriangleMesh& input, int triangles)
+Remeshed remesh(const TriangleMesh& input, int triangles)
 {
   check_request(triangles);
   const Normalisation normalisation(input);
   const TriangleMesh source = normalisation.normalised(input);
   const TriangleMesh mesh = new_mesh(source, triangles + triangles % 2);
-  Resampled result{ normalisation.restored(mesh), report_on(source, mesh) };
+  Remeshed result{ normalisation.restored(mesh), report_on(source, mesh) };
   result.report.quality = mesh_quality(result.mesh);
   return result;
 }

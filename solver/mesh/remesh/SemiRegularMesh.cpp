@@ -1,7 +1,8 @@
 #include "solver/mesh/remesh/SemiRegularMesh.h"
 
-#include "solver/mesh/remesh/EdgeEdits.h"
+#include "solver/mesh/remesh/EdgeSplits.h"
 #include "solver/mesh/remesh/IsotropicMesh.h"
+#include "solver/mesh/remesh/TriangleCount.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,13 +18,13 @@ constexpr int fewest_triangles = 20; // the icosahedron
 constexpr int fewest_extraordinary = 12;
 /// How many vertices of a coarse mesh get five or seven neighbours is chance: several are made.
 constexpr double starts[] = { 1, 1.2, 0.8 };
-constexpr int passes = 20; // after each cut
+constexpr int passes = 20; // after each refinement
 /// Triangles of a coarse mesh that doesn't resolve a tip or rim come out flatter, of all shapes
 /// tried.
 constexpr double least_angle = 38; // degrees
 
 /// The vertices with five or seven neighbours; nothing if there are any with fewer or more.
-std::optional<int> extraordinary(const DraftMesh& mesh)
+std::optional<int> extraordinary(const EditableMesh& mesh)
 {
   const std::vector<int> valences = mesh.valences();
   const auto off = [&](int by)
@@ -31,71 +32,64 @@ std::optional<int> extraordinary(const DraftMesh& mesh)
   return off(2) > 0 ? std::nullopt : std::optional(static_cast<int>(off(1)));
 }
 
-/// The number of triangles to be cut `cuts` times in four, 0 if there is none near enough.
-int coarse_count(int triangles, int cuts)
+/// The number of triangles that is to be refined so many times, 0 if there is none near enough.
+int coarse_count(int triangles, int refinements)
 {
-  const double pieces = std::pow(4, cuts);
+  const double pieces = std::pow(4, refinements);
   const int count = 2 * static_cast<int>(std::round(triangles / pieces / 2));
   const bool near = std::abs(count * pieces - triangles) <= allowed_deviation * triangles;
   return near && count >= fewest_triangles ? count : 0;
 }
 
-void cut_and_smooth(DraftMesh& mesh, const Relaxation& relaxation, int cuts)
+void refine_and_smooth(EditableMesh& mesh, const SurfaceSmoother& smoother, int refinements)
 {
-  for (int cut = 0; cut < cuts; ++cut)
+  for (int level = 0; level < refinements; ++level)
   {
-    cut_in_four(mesh, relaxation.surface());
+    refine(mesh, smoother.surface());
     for (int pass = 0; pass < passes; ++pass)
-    {
-      relaxation.relax(mesh);
-    }
+      smoother.smooth(mesh);
   }
 }
 
-/// Of several meshes with `coarse` triangles, cut so many times, the one with the fewest
+/// Of several meshes with `coarse` triangles, refined so many times, the one with the fewest
 /// extraordinary vertices; nothing if none resolves the surface.
-std::optional<DraftMesh> best_mesh(const Relaxation& relaxation, int coarse, int cuts)
+std::optional<EditableMesh> best_mesh(const SurfaceSmoother& smoother, int coarse, int refinements)
 {
-  std::optional<DraftMesh> best;
+  std::optional<EditableMesh> best;
   int fewest = std::numeric_limits<int>::max();
   for (const double start : starts)
   {
-    std::optional<DraftMesh> mesh = isotropic_mesh(relaxation, coarse, MeshGoal::order, start);
+    std::optional<EditableMesh> mesh =
+      isotropic_mesh(smoother, coarse, MeshGoal::regularity, start);
     const std::optional<int> count = mesh ? extraordinary(*mesh) : std::nullopt;
     if (count && *count < fewest)
     {
-      cut_and_smooth(*mesh, relaxation, cuts);
-      if (mesh->least_angle() >= least_angle)
+      refine_and_smooth(*mesh, smoother, refinements);
+      if (mesh->quality().min_angle_deg >= least_angle)
       {
         best = std::move(mesh);
         fewest = *count;
       }
     }
-    const bool hopeless = !best && cuts > 0; // a finer one is more likely to do
+    const bool hopeless = !best && refinements > 0; // a finer one is more likely to do
     if (hopeless || fewest == fewest_extraordinary)
-    {
       break;
-    }
   }
   return best;
 }
 }
 
-std::optional<DraftMesh> semi_regular_mesh(const Relaxation& relaxation, int triangles)
+std::optional<EditableMesh> semi_regular_mesh(const SurfaceSmoother& smoother, int triangles)
 {
-  int most_cuts = 0;
-  while (triangles >> 2 * (most_cuts + 1) >= fewest_triangles)
+  int most_refinements = 0;
+  while (triangles >> 2 * (most_refinements + 1) >= fewest_triangles)
+    ++most_refinements;
+  for (int refinements = most_refinements; refinements >= 0; --refinements)
   {
-    ++most_cuts;
-  }
-  for (int cuts = most_cuts; cuts >= 0; --cuts)
-  {
-    if (const int coarse = coarse_count(triangles, cuts))
+    if (const int coarse = coarse_count(triangles, refinements))
     {
-      if (std::optional<DraftMesh> mesh = best_mesh(relaxation, coarse, cuts))
-      {
+      if (std::optional<EditableMesh> mesh = best_mesh(smoother, coarse, refinements))
         return mesh;
-      }
     }
   }
   return std::nullopt;

@@ -9,9 +9,9 @@ namespace vesicle
 {
 
 /// A mesh of `triangles` triangles, to 1%, of nearly equal size and round shape on the surface of
-/// `relaxation`, whose vertices have six neighbours but for those of a coarse mesh, which have five
+/// `smoother`, whose vertices have six neighbours but for those of a coarse mesh, which have five
 /// to seven: of the coarsest that resolves the surface, perhaps not cut at all. Nothing if none
 /// does.
-std::optional<DraftMesh> semi_regular_mesh(const Relaxation& relaxation, int triangles);
+std::optional<EditableMesh> semi_regular_mesh(const SurfaceSmoother& smoother, int triangles);
 
 }

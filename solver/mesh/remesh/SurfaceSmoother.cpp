@@ -1,10 +1,13 @@
 #include "solver/mesh/remesh/SurfaceSmoother.h"
 
+#include "solver/mesh/Connectivity.h"
+#include "solver/mesh/MeshIntegrals.h"
+#include "solver/mesh/remesh/TriangleCount.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace vesicle
 {
@@ -16,9 +19,9 @@ constexpr int pieces_per_edge = 4; // of the surface: 30 or so to each vertex
 /// resolve it (a radius of curvature is 2.5 or 1.25 edges then).
 constexpr double resolved = 0.2, unresolved = 0.4;
 
-int vertices(const DraftMesh& draft)
+int vertices(const EditableMesh& mesh)
 {
-  return static_cast<int>(draft.points.rows());
+  return static_cast<int>(mesh.points.rows());
 }
 
 /// Area-weighted means over what belongs to each vertex.
@@ -26,79 +29,69 @@ class Means
 {
 public:
   explicit Means(int vertices)
-    : points(Points::Zero(vertices, 3)), normals(Points::Zero(vertices, 3)),
-      areas(Eigen::VectorXd::Zero(vertices))
+    : points_(Points::Zero(vertices, 3)), normals_(Points::Zero(vertices, 3)),
+      areas_(Eigen::VectorXd::Zero(vertices))
   {
   }
   void add(int i, double area, const Vector3& point, const Vector3& normal)
   {
-    points.row(i) += area * point;
-    normals.row(i) += area * normal;
-    areas[i] += area;
+    points_.row(i) += area * point;
+    normals_.row(i) += area * normal;
+    areas_[i] += area;
   }
-  bool empty(int i) const { return areas[i] == 0; }
-  Vector3 point(int i) const { return points.row(i) / areas[i]; }
-  Vector3 normal(int i) const { return normals.row(i) / areas[i]; }
+  bool empty(int i) const { return areas_[i] == 0; }
+  Vector3 point(int i) const { return points_.row(i) / areas_[i]; }
+  Vector3 normal(int i) const { return normals_.row(i) / areas_[i]; }
 
 private:
-  Points points;
-  Points normals;
-  Eigen::VectorXd areas;
+  Points points_;
+  Points normals_;
+  Eigen::VectorXd areas_;
 };
 
 /// Of the surface nearest to each vertex.
-Means cells(const std::vector<CurvedSurface::Sample>& samples, const DraftMesh& draft)
+Means cells(const std::vector<CurvedSurface::Sample>& samples, const EditableMesh& mesh)
 {
-  Means means(vertices(draft));
+  Means means(vertices(mesh));
   for (std::size_t s = 0; s < samples.size(); ++s)
-  {
-    means.add(draft.references[s], samples[s].area, samples[s].point, samples[s].normal);
-  }
+    means.add(mesh.references[s], samples[s].area, samples[s].point, samples[s].normal);
   return means;
 }
 
 /// Of the triangles around each vertex.
-Means stars(const DraftMesh& draft)
+Means stars(const EditableMesh& mesh)
 {
-  Means means(vertices(draft));
-  for (const auto triangle : draft.triangles.rowwise())
+  Means means(vertices(mesh));
+  for (const auto triangle : mesh.triangles.rowwise())
   {
-    const Vector3 a = draft.point(triangle[0]), b = draft.point(triangle[1]),
-                  c = draft.point(triangle[2]);
+    const Vector3 a = mesh.point(triangle[0]), b = mesh.point(triangle[1]),
+                  c = mesh.point(triangle[2]);
     for (const int i : triangle)
-    {
-      means.add(i, (b - a).cross(c - a).norm() / 2, (a + b + c) / 3, draft.normal(i));
-    }
+      means.add(i, (b - a).cross(c - a).norm() / 2, (a + b + c) / 3, mesh.normal(i));
   }
   return means;
 }
 
 /// The largest steepness of each vertex' edges.
-Eigen::VectorXd steepest(const DraftMesh& draft)
+Eigen::VectorXd steepest(const EditableMesh& mesh)
 {
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(vertices(draft));
-  for (const auto triangle : draft.triangles.rowwise())
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(vertices(mesh));
+  for (const auto triangle : mesh.triangles.rowwise())
   {
     for (int k = 0; k < 3; ++k)
     {
       const int i = triangle[k], j = triangle[(k + 1) % 3];
-      const double steepness = draft.steepness(i, j);
+      const double steepness = mesh.steepness(i, j);
       result[i] = std::max(result[i], steepness);
       result[j] = std::max(result[j], steepness);
     }
   }
   return result;
 }
-
 }
 
-double mean_edge(double area, int triangles)
-{
-  return std::sqrt(4 * area / (std::numbers::sqrt3 * triangles));
-}
-
-Relaxation::Relaxation(const TriangleMesh& input, int triangles)
-  : surface_(input, mean_edge(flat_area(input), triangles) / pieces_per_edge),
+SurfaceSmoother::SurfaceSmoother(const TriangleMesh& input, int triangles)
+  : surface_(input, equilateral_edge(flat_area(input), triangles) / pieces_per_edge),
     samples_(surface_.samples()), input_{ input.points, surface_.vertex_normals(), input.triangles,
       {} }
 {
@@ -111,17 +104,17 @@ Relaxation::Relaxation(const TriangleMesh& input, int triangles)
 
 /// Each sample goes from its vertex on to nearer neighbours as long as there are any: along the
 /// mesh, so that it stays on its side of a thin body.
-void Relaxation::find_owners(DraftMesh& draft) const
+void SurfaceSmoother::find_nearest_vertices(EditableMesh& mesh) const
 {
-  const Connectivity connectivity(draft.triangles, vertices(draft));
+  const Connectivity connectivity(mesh.triangles, vertices(mesh));
   const AdjacencyList& around = connectivity.vertex_neighbours;
   const auto step = [&](const Vector3& x, int from)
   {
     int nearest = from;
-    double least = (draft.point(from) - x).squaredNorm();
+    double least = (mesh.point(from) - x).squaredNorm();
     for (const int* i = around.begin(from); i != around.end(from); ++i)
     {
-      const double squared_distance = (draft.point(*i) - x).squaredNorm();
+      const double squared_distance = (mesh.point(*i) - x).squaredNorm();
       nearest = squared_distance < least ? *i : nearest;
       least = std::min(least, squared_distance);
     }
@@ -130,72 +123,67 @@ void Relaxation::find_owners(DraftMesh& draft) const
   tbb::parallel_for(std::size_t(0), samples_.size(),
     [&](std::size_t s)
     {
-      int& owner = draft.references[s];
-      for (int next = step(samples_[s].point, owner); next != owner;
-           next = step(samples_[s].point, owner))
+      int& nearest = mesh.references[s];
+      for (int next = step(samples_[s].point, nearest); next != nearest;
+           next = step(samples_[s].point, nearest))
       {
-        owner = next;
+        nearest = next;
       }
     });
 }
 
-void Relaxation::relax(DraftMesh& draft) const
+void SurfaceSmoother::smooth(EditableMesh& mesh) const
 {
-  find_owners(draft);
-  const Means cell = cells(samples_, draft), star = stars(draft);
-  const Eigen::VectorXd steepness = steepest(draft);
-  Points targets(vertices(draft), 3), directions(vertices(draft), 3);
-  for (int i = 0; i < vertices(draft); ++i)
+  find_nearest_vertices(mesh);
+  const Means cell = cells(samples_, mesh), star = stars(mesh);
+  const Eigen::VectorXd steepness = steepest(mesh);
+  Points targets(vertices(mesh), 3), directions(vertices(mesh), 3);
+  for (int i = 0; i < vertices(mesh); ++i)
   {
     targets.row(i) = star.point(i);
-    directions.row(i) = draft.normals.row(i);
+    directions.row(i) = mesh.normals.row(i);
     const double w = std::clamp((steepness[i] - resolved) / (unresolved - resolved), 0.0, 1.0);
     if (w > 0 && !cell.empty(i))
     {
       targets.row(i) = (1 - w) * star.point(i) + w * cell.point(i);
-      directions.row(i) = (1 - w) * draft.normal(i) + w * cell.normal(i);
+      directions.row(i) = (1 - w) * mesh.normal(i) + w * cell.normal(i);
     }
   }
-  move_without_folding(draft, targets, directions);
+  move_without_folding(mesh, targets, directions);
 }
 
 /// Moves the vertices to the surface above or below the targets; where a triangle would fold over,
 /// part of the way or not at all.
-void Relaxation::move_without_folding(
-  DraftMesh& draft, const Points& targets, const Points& directions) const
+void SurfaceSmoother::move_without_folding(
+  EditableMesh& mesh, const Points& targets, const Points& directions) const
 {
   const int attempts = 6;
-  Eigen::VectorXd fraction = Eigen::VectorXd::Ones(vertices(draft));
-  DraftMesh moved = draft;
+  Eigen::VectorXd fraction = Eigen::VectorXd::Ones(vertices(mesh));
+  EditableMesh moved = mesh;
   for (int attempt = 0; attempt < attempts; ++attempt)
   {
-    tbb::parallel_for(0, vertices(draft),
+    tbb::parallel_for(0, vertices(mesh),
       [&](int i)
       {
-        const Vector3 goal = (1 - fraction[i]) * draft.points.row(i) + fraction[i] * targets.row(i);
-        const SurfacePoint there = fraction[i] > 0
-          ? surface_.along(goal, directions.row(i).normalized())
-          : SurfacePoint{ draft.point(i), draft.normal(i) };
+        const Vector3 goal = (1 - fraction[i]) * mesh.points.row(i) + fraction[i] * targets.row(i);
+        const PointWithNormal there = fraction[i] > 0
+          ? surface_.project_along(goal, directions.row(i).normalized())
+          : PointWithNormal{ mesh.point(i), mesh.normal(i) };
         moved.points.row(i) = there.point;
         moved.normals.row(i) = there.normal;
       });
     Eigen::VectorXd lower = fraction;
-    for (const auto t : draft.triangles.rowwise())
+    for (const auto t : mesh.triangles.rowwise())
     {
       if (!moved.faces_outward(t[0], t[1], t[2]))
-      {
         for (const int i : t)
-        {
           lower[i] = attempt + 2 < attempts ? fraction[i] / 2 : 0;
-        }
-      }
     }
     if (lower == fraction)
-    {
       break;
-    }
     fraction = lower;
   }
-  draft = std::move(moved);
+  mesh = std::move(moved);
 }
+
 }

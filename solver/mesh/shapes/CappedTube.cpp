@@ -75,11 +75,11 @@ private:
   void step_over(Side from, Lattice& centre, Lattice& p) const;
   Vector3 direction(const Face& face, Lattice p) const;
 
-  std::vector<Face> faces;
-  std::vector<std::array<Side, 3>> across; ///< of each face's sides: the same side elsewhere
-  std::vector<Vector3> directions;
-  std::vector<std::array<int, 3>> triangles;
-  PointHash known{ 1e-9 };
+  std::vector<Face> faces_;
+  std::vector<std::array<Side, 3>> across_; ///< of each face's sides: the same side elsewhere
+  std::vector<Vector3> directions_;
+  std::vector<std::array<int, 3>> triangles_;
+  PointHash known_{ 1e-9 };
 };
 
 /// The side of a face of the tube that runs down from one rim to the other, where it is least
@@ -127,7 +127,7 @@ void Net::add_faces(int sector, Lattice along, Lattice down, const CappedTube& s
     const auto& [i, polar_i, azimuth_i] = a;
     const auto& [j, polar_j, azimuth_j] = b;
     const auto& [k, polar_k, azimuth_k] = c;
-    faces.push_back({ { i, j, k }, { at_a, at_b, at_c }, { polar_i, polar_j, polar_k },
+    faces_.push_back({ { i, j, k }, { at_a, at_b, at_c }, { polar_i, polar_j, polar_k },
       { azimuth_i, azimuth_j, azimuth_k } });
   };
   const Lattice origin;
@@ -140,15 +140,15 @@ void Net::add_faces(int sector, Lattice along, Lattice down, const CappedTube& s
 
 void Net::join_sides()
 {
-  across.resize(faces.size());
-  const int count = static_cast<int>(faces.size());
+  across_.resize(faces_.size());
+  const int count = static_cast<int>(faces_.size());
   for (int f = 0; f < count; ++f)
     for (int s = 0; s < 3; ++s)
       for (int g = 0; g < count; ++g)
         for (int r = 0; r < 3; ++r)
-          if (faces[g].corner[r] == faces[f].corner[(s + 1) % 3] &&
-            faces[g].corner[(r + 1) % 3] == faces[f].corner[s])
-            across[f][s] = { g, r };
+          if (faces_[g].corner[r] == faces_[f].corner[(s + 1) % 3] &&
+            faces_[g].corner[(r + 1) % 3] == faces_[f].corner[s])
+            across_[f][s] = { g, r };
 }
 
 /// Whether a small triangle with that centre belongs to the face: of two faces that share a side
@@ -157,8 +157,8 @@ bool Net::owns(int face, Lattice centre) const
 {
   for (int s = 0; s < 3; ++s)
   {
-    const int doubled = area(faces[face].at[s], faces[face].at[(s + 1) % 3], centre);
-    if (doubled < 0 || (doubled == 0 && across[face][s].face < face))
+    const int doubled = area(faces_[face].at[s], faces_[face].at[(s + 1) % 3], centre);
+    if (doubled < 0 || (doubled == 0 && across_[face][s].face < face))
       return false;
   }
   return true;
@@ -166,7 +166,7 @@ bool Net::owns(int face, Lattice centre) const
 
 void Net::triangulate(int face)
 {
-  const auto& at = faces[face].at;
+  const auto& at = faces_[face].at;
   const auto [a0, a1] = std::minmax({ at[0].a, at[1].a, at[2].a });
   const auto [b0, b1] = std::minmax({ at[0].b, at[1].b, at[2].b });
   const Lattice right{ edge, 0 }, up{ 0, edge };
@@ -179,7 +179,7 @@ void Net::triangulate(int face)
       {
         const Lattice sum = i + j + k, centre{ sum.a / 3, sum.b / 3 };
         if (owns(face, centre))
-          triangles.push_back(
+          triangles_.push_back(
             { vertex(face, centre, i), vertex(face, centre, j), vertex(face, centre, k) });
       }
     }
@@ -191,7 +191,7 @@ int Net::vertex(int face, Lattice centre, Lattice p)
 {
   const auto crossed = [&](int s)
   {
-    const Face& f = faces[face];
+    const Face& f = faces_[face];
     return f.beyond(s, p) && area(centre, p, f.at[s]) < 0 && area(centre, p, f.at[(s + 1) % 3]) > 0;
   };
   for (int s = 0; s < 3;)
@@ -202,16 +202,16 @@ int Net::vertex(int face, Lattice centre, Lattice p)
       continue;
     }
     step_over({ face, s }, centre, p);
-    face = across[face][s].face;
+    face = across_[face][s].face;
     s = 0;
   }
-  const Vector3 there = direction(faces[face], p);
-  int number = known.find(there);
+  const Vector3 there = direction(faces_[face], p);
+  int number = known_.find(there);
   if (number < 0)
   {
-    number = static_cast<int>(directions.size());
-    directions.push_back(there);
-    known.insert(there, number);
+    number = static_cast<int>(directions_.size());
+    directions_.push_back(there);
+    known_.insert(there, number);
   }
   return number;
 }
@@ -219,10 +219,10 @@ int Net::vertex(int face, Lattice centre, Lattice p)
 /// To the lattice of the face on the other side.
 void Net::step_over(Side from, Lattice& centre, Lattice& p) const
 {
-  const auto [face, side] = across[from.face][from.side];
-  const Lattice here = faces[from.face].at[from.side],
-                along = faces[from.face].at[(from.side + 1) % 3] - here,
-                there = faces[face].at[(side + 1) % 3], wanted = faces[face].at[side] - there;
+  const auto [face, side] = across_[from.face][from.side];
+  const Lattice here = faces_[from.face].at[from.side],
+                along = faces_[from.face].at[(from.side + 1) % 3] - here,
+                there = faces_[face].at[(side + 1) % 3], wanted = faces_[face].at[side] - there;
   Lattice to_centre = centre - here, to_p = p - here;
   for (Lattice side_turned = along; !(side_turned == wanted); side_turned = turned(side_turned))
   {
@@ -253,16 +253,16 @@ Vector3 Net::direction(const Face& face, Lattice p) const
 
 SphereMesh Net::mesh()
 {
-  for (int f = 0; f < static_cast<int>(faces.size()); ++f)
+  for (int f = 0; f < static_cast<int>(faces_.size()); ++f)
     triangulate(f);
   SphereMesh result;
-  result.directions.resize(static_cast<Eigen::Index>(directions.size()), 3);
-  for (std::size_t i = 0; i < directions.size(); ++i)
-    result.directions.row(static_cast<Eigen::Index>(i)) = directions[i];
-  result.triangles.resize(static_cast<Eigen::Index>(triangles.size()), 3);
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    result.triangles.row(static_cast<Eigen::Index>(t)) << triangles[t][0], triangles[t][1],
-      triangles[t][2];
+  result.directions.resize(static_cast<Eigen::Index>(directions_.size()), 3);
+  for (std::size_t i = 0; i < directions_.size(); ++i)
+    result.directions.row(static_cast<Eigen::Index>(i)) = directions_[i];
+  result.triangles.resize(static_cast<Eigen::Index>(triangles_.size()), 3);
+  for (std::size_t t = 0; t < triangles_.size(); ++t)
+    result.triangles.row(static_cast<Eigen::Index>(t)) << triangles_[t][0], triangles_[t][1],
+      triangles_[t][2];
   return result;
 }
 }

@@ -30,7 +30,7 @@ struct CappedTube
 std::vector<CappedTube> capped_tubes(int triangles);
 
 /// The axis is z, and a half turn about y maps the mesh onto itself; rows of triangles have about
-/// equal steps in latitude. `turns` is left empty.
+/// equal steps in latitude. `symmetries` is left empty.
 SphereMesh capped_tube_mesh(const CappedTube& shape);
 
 }

@@ -1,5 +1,6 @@
+#include "solver/mesh/shapes/GeodesicSphere.h"
+
 #include "solver/Errors.h"
-#include "solver/mesh/shapes/Shapes.h"
 
 #include <fmt/format.h>
 
@@ -37,36 +38,35 @@ constexpr std::array<std::array<int, 3>, 20> icosahedron_faces{ { { 0, 11, 5 }, 
 class GeodesicPoints
 {
 public:
-  explicit GeodesicPoints(int frequency) : n(frequency) { points.resize(10 * n * n + 2, 3); }
+  explicit GeodesicPoints(int frequency) : n_(frequency), points_(10 * frequency * frequency + 2, 3)
+  {
+  }
 
   int index(const std::array<int, 3>& face, int i, int j)
   {
     using Weighted = std::pair<int, int>;
-    std::array<Weighted, 3> key{ Weighted{ face[0], i }, { face[1], j }, { face[2], n - i - j } };
+    std::array<Weighted, 3> key{ Weighted{ face[0], i }, { face[1], j }, { face[2], n_ - i - j } };
     for (auto& [corner, weight] : key)
-    {
       corner = weight == 0 ? -1 : corner;
-    }
     std::sort(key.begin(), key.end());
-    const auto [entry, is_new] = numbers.try_emplace(key, static_cast<int>(numbers.size()));
+    const auto [entry, is_new] = numbers_.try_emplace(key, static_cast<int>(numbers_.size()));
     if (is_new)
     {
       Vector3 x = Vector3::Zero();
       for (const auto& [corner, weight] : key)
-      {
-        x += weight > 0 ? Vector3(weight * corners.row(corner)) : Vector3::Zero();
-      }
-      points.row(entry->second) = x.normalized();
+        x += weight > 0 ? Vector3(weight * corners_.row(corner)) : Vector3::Zero();
+      points_.row(entry->second) = x.normalized();
     }
     return entry->second;
   }
 
-  int n;
-  Points points;
+  Points points() && { return std::move(points_); }
 
 private:
-  Points corners = icosahedron_corners();
-  std::map<std::array<std::pair<int, int>, 3>, int> numbers;
+  int n_;
+  Points points_;
+  Points corners_ = icosahedron_corners();
+  std::map<std::array<std::pair<int, int>, 3>, int> numbers_;
 };
 }
 
@@ -90,13 +90,11 @@ TriangleMesh geodesic_sphere(int n)
         const int b = grid.index(face, i, j + 1);
         triangles.row(t++) << a, b, grid.index(face, i, j);
         if (j < n - i - 1)
-        {
           triangles.row(t++) << a, grid.index(face, i + 1, j + 1), b;
-        }
       }
     }
   }
-  return { std::move(grid.points), std::move(triangles) };
+  return { std::move(grid).points(), std::move(triangles) };
 }
 
 int geodesic_frequency(int triangles)

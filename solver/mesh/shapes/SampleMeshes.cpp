@@ -1,7 +1,9 @@
 #include "solver/mesh/shapes/SampleMeshes.h"
 
 #include "solver/mesh/HalfEdgeMesh.h"
+#include "solver/mesh/shapes/GeodesicSphere.h"
 #include "solver/mesh/shapes/Shapes.h"
+#include "solver/mesh/shapes/SphericalHarmonics.h"
 
 #include <cmath>
 #include <numbers>
@@ -9,13 +11,6 @@
 
 namespace vesicle
 {
-
-TriangleMesh mapped(TriangleMesh mesh, const DirectionMap& map)
-{
-  for (int i = 0; i < mesh.points.rows(); ++i)
-    mesh.points.row(i) = map(mesh.points.row(i).transpose()).transpose();
-  return mesh;
-}
 
 TriangleMesh smooth_sphere(int triangles)
 {
@@ -43,7 +38,7 @@ TriangleMesh jittered_sphere(int n, double fraction)
 
 TriangleMesh delaunay_sphere(const TriangleMesh& sphere)
 {
-  FlippableMesh mesh(sphere.triangles, static_cast<int>(sphere.points.rows()));
+  HalfEdgeMesh mesh(sphere.triangles, static_cast<int>(sphere.points.rows()));
   const auto point = [&](int i) -> Vector3 { return sphere.points.row(i); };
   bool flipped = true;
   for (int round = 0; flipped && round < 50; ++round)

@@ -1,18 +1,10 @@
 #pragma once
 // Meshes and surfaces on which accuracy is measured: regular and irregular, spherical and not.
 
-#include "solver/mesh/TriangleMesh.h"
-
-#include <functional>
+#include "solver/mesh/shapes/SphericalParametrisation.h"
 
 namespace vesicle
 {
-
-/// The point of a star-shaped surface above a direction (unit vector).
-using DirectionMap = std::function<Vector3(const Vector3&)>;
-
-/// Every point moved by `map`.
-TriangleMesh mapped(TriangleMesh mesh, const DirectionMap& map);
 
 /// A unit sphere with about that many triangles, smooth enough for Loop's surface.
 TriangleMesh smooth_sphere(int triangles);
@@ -24,7 +16,7 @@ TriangleMesh jittered_sphere(int n, double fraction);
 /// Edges flipped until the triangulation of points on a sphere is their convex hull (Delaunay).
 TriangleMesh delaunay_sphere(const TriangleMesh& sphere);
 
-/// (2 n_x, n_y, n_z), the ellipsoid of data/reference.
+/// Spherical parametrisations: (2 n_x, n_y, n_z), the ellipsoid of data/reference.
 Vector3 ellipsoid_2_1_1(const Vector3& direction);
 /// r = 1 + 0.2 Y20.
 Vector3 perturbed_sphere(const Vector3& direction);

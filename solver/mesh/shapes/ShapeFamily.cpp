@@ -1,6 +1,8 @@
 #include "solver/mesh/shapes/ShapeFamily.h"
 
 #include "solver/Errors.h"
+#include "solver/mesh/shapes/GeodesicSphere.h"
+#include "solver/mesh/shapes/SphericalHarmonics.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +14,7 @@ namespace vesicle
 
 namespace
 {
-SphereImage scaled_sphere(const Vector3& semi_axes)
+SphericalParametrisation scaled_sphere(const Vector3& semi_axes)
 {
   return [semi_axes](const Vector3& d) -> Vector3 { return d.cwiseProduct(semi_axes); };
 }
@@ -72,7 +74,7 @@ ShapeFamily ellipsoid(const std::array<double, 3>& semi_axes)
 ShapeFamily discocyte()
 {
   ShapeFamily family;
-  family.surface = [](double deflation) -> SphereImage
+  family.surface = [](double deflation) -> SphericalParametrisation
   {
     const double height = std::exp(-std::max(deflation, 0.0));
     const double blend = -std::expm1(std::min(deflation, 0.0));
@@ -92,9 +94,7 @@ double perturbed_radius(const std::vector<ShapeMode>& modes, const Vector3& dire
 {
   double radius = 1;
   for (const ShapeMode& mode : modes)
-  {
     radius += mode.amplitude * real_spherical_harmonic(mode.l, mode.m, direction);
-  }
   return radius;
 }
 
@@ -131,7 +131,7 @@ ShapeFamily perturbed(const std::vector<ShapeMode>& modes)
 {
   check_radius(modes);
   ShapeFamily family;
-  family.surface = [modes](double) -> SphereImage
+  family.surface = [modes](double) -> SphericalParametrisation
   { return [modes](const Vector3& d) -> Vector3 { return perturbed_radius(modes, d) * d; }; };
   family.symmetry = modes.empty() ? Symmetry::around_z : Symmetry::none;
   return family;

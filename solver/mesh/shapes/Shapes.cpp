@@ -1,17 +1,17 @@
 #include "solver/mesh/shapes/Shapes.h"
 
 #include "solver/Errors.h"
+#include "solver/mesh/MeshIntegrals.h"
 #include "solver/mesh/MeshQuality.h"
-#include "solver/mesh/shapes/UniformMesh.h"
 #include "solver/mesh/shapes/ShapeFamily.h"
+#include "solver/mesh/shapes/SphereMeshSmoothing.h"
+#include "solver/mesh/shapes/UniformMesh.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace vesicle
 {
@@ -23,24 +23,10 @@ constexpr int most_triangles = 5'000'000; // more is a slip of the pen
 constexpr double allowed_error = 1e-6; // of the reduced volume where it can't be tuned: a sphere's
 constexpr double unit_sphere_volume = 4 * std::numbers::pi / 3;
 
-constexpr std::array<std::pair<const char*, ShapeRequest::Kind>, 6> kinds{ {
-  { "sphere", ShapeRequest::Kind::sphere },
-  { "prolate", ShapeRequest::Kind::prolate },
-  { "oblate", ShapeRequest::Kind::oblate },
-  { "ellipsoid", ShapeRequest::Kind::ellipsoid },
-  { "discocyte", ShapeRequest::Kind::discocyte },
-  { "perturbed", ShapeRequest::Kind::perturbed },
-} };
-
-double discrete_reduced_volume(const TriangleMesh& mesh)
-{
-  return reduced_volume(flat_area(mesh), flat_volume(mesh));
-}
-
 /// Reduced volume of the flat triangles above fixed directions; falls as the deflation rises.
-double discrete_reduced_volume(const ShapeFamily& family, double deflation, const SphereMesh& mesh)
+double reduced_volume_of(const ShapeFamily& family, double deflation, const SphereMesh& mesh)
 {
-  return discrete_reduced_volume(surface_mesh(family.surface(deflation), mesh));
+  return flat_reduced_volume(mapped(mesh, family.surface(deflation)));
 }
 
 /// The deflation in [low, high] with the reduced volume v, by false position with a bisection every
@@ -49,21 +35,17 @@ double solve_between(
   const ShapeFamily& family, const SphereMesh& mesh, double v, double low, double high)
 {
   const double rounding = 1e-13; // of the reduced volume, a sum over the triangles
-  double above = discrete_reduced_volume(family, low, mesh) - v;
-  double below = discrete_reduced_volume(family, high, mesh) - v;
+  double above = reduced_volume_of(family, low, mesh) - v;
+  double below = reduced_volume_of(family, high, mesh) - v;
   if (above <= 0 || below >= 0)
-  {
     return above <= 0 ? low : high;
-  }
   double deflation = low;
   for (int step = 0; step < 200; ++step)
   {
     deflation = step % 4 == 3 ? (low + high) / 2 : (low * below - high * above) / (below - above);
-    const double excess = discrete_reduced_volume(family, deflation, mesh) - v;
+    const double excess = reduced_volume_of(family, deflation, mesh) - v;
     if (std::abs(excess) <= rounding)
-    {
       break;
-    }
     (excess > 0 ? low : high) = deflation;
     (excess > 0 ? above : below) = excess;
   }
@@ -77,21 +59,19 @@ double solve_near(const ShapeFamily& family, const SphereMesh& mesh, double v, d
   {
     const double low = std::max(family.roundest, guess - width);
     const double high = std::min(family.flattest, guess + width);
-    const bool above = low > family.roundest && discrete_reduced_volume(family, low, mesh) < v;
-    const bool below = high < family.flattest && discrete_reduced_volume(family, high, mesh) > v;
+    const bool above = low > family.roundest && reduced_volume_of(family, low, mesh) < v;
+    const bool below = high < family.flattest && reduced_volume_of(family, high, mesh) > v;
     if (!above && !below)
-    {
       return solve_between(family, mesh, v, low, high);
-    }
   }
 }
 
 [[noreturn]] void refuse(
   const ShapeRequest& request, const ShapeFamily& family, int triangles, double v)
 {
-  const SphereImage roundest = family.surface(family.roundest);
-  const double largest = discrete_reduced_volume(
-    surface_mesh(roundest, uniform_mesh(roundest, triangles, family.symmetry)));
+  const SphericalParametrisation roundest = family.surface(family.roundest);
+  const double largest =
+    flat_reduced_volume(mapped(uniform_mesh(roundest, triangles, family.symmetry), roundest));
   const std::string beginning = fmt::format(
     "reduced_volume = {}: the shape '{}' in {} triangles", v, shape_name(request.kind), triangles);
   if (v > largest - allowed_error)
@@ -116,14 +96,12 @@ TriangleMesh fitted_mesh(
   for (int round = 0; round < 3; ++round)
   {
     deflation = solve_near(family, mesh, v, deflation);
-    improve(mesh, family.surface(deflation), 20);
+    smooth(mesh, family.surface(deflation), 20);
   }
   deflation = solve_near(family, mesh, v, deflation);
-  TriangleMesh result = surface_mesh(family.surface(deflation), mesh);
-  if (!(std::abs(discrete_reduced_volume(result) - v) <= allowed_error))
-  {
+  TriangleMesh result = mapped(mesh, family.surface(deflation));
+  if (!(std::abs(flat_reduced_volume(result) - v) <= allowed_error))
     refuse(request, family, triangles, v);
-  }
   return result;
 }
 
@@ -155,7 +133,7 @@ int triangles_for_edge(const ShapeRequest& request, const ShapeFamily& family)
   const int fine = 24;
   const SphereMesh sphere = geodesic_sphere_mesh(fine);
   const double v =
-    request.reduced_volume.value_or(discrete_reduced_volume(family, family.standard, sphere));
+    request.reduced_volume.value_or(reduced_volume_of(family, family.standard, sphere));
   const double area = 4 * std::numbers::pi * std::pow(v, -2.0 / 3);
   const double triangles = area / (std::numbers::sqrt3 / 4 * h * h);
   if (!(h > 0) || !(triangles >= fewest_triangles) || !(triangles <= most_triangles))
@@ -185,9 +163,7 @@ void check_reduced_volume(const ShapeRequest& request, const ShapeFamily& family
   if (!request.reduced_volume)
   {
     if (family.needs_reduced_volume)
-    {
       throw InputError(fmt::format("the shape '{}' needs a reduced_volume between 0 and 1", name));
-    }
     return;
   }
   const double v = *request.reduced_volume;
@@ -205,15 +181,15 @@ void check_reduced_volume(const ShapeRequest& request, const ShapeFamily& family
 
 TriangleMesh free_mesh(const ShapeFamily& family, int triangles)
 {
-  const SphereImage surface = family.surface(family.standard);
-  return surface_mesh(surface, uniform_mesh(surface, triangles, family.symmetry));
+  const SphericalParametrisation surface = family.surface(family.standard);
+  return mapped(uniform_mesh(surface, triangles, family.symmetry), surface);
 }
 
 /// A family of one shape only: the mesh as it is, if that is what was asked for.
 TriangleMesh checked_sphere(const ShapeRequest& request, TriangleMesh mesh)
 {
   const double v = request.reduced_volume.value_or(1);
-  const double own = discrete_reduced_volume(mesh);
+  const double own = flat_reduced_volume(mesh);
   if (std::abs(v - 1) > allowed_error && std::abs(v - own) > allowed_error)
   {
     throw InputError(fmt::format("reduced_volume = {}: a sphere has 1 (its mesh of {} triangles "
@@ -231,40 +207,14 @@ TriangleMesh make_shape(const ShapeRequest& request)
   const int triangles = triangles_for(request, family);
   TriangleMesh mesh;
   if (family.flattest == family.roundest)
-  {
     mesh = checked_sphere(request, free_mesh(family, triangles));
-  }
   else if (request.reduced_volume)
-  {
     mesh = fitted_mesh(request, family, triangles, *request.reduced_volume);
-  }
   else
-  {
     mesh = free_mesh(family, triangles);
-  }
   check_quality(request, mesh);
   normalise(mesh);
   return mesh;
-}
-
-ShapeRequest::Kind shape_kind(const std::string& name)
-{
-  std::vector<std::string> known;
-  for (const auto& [text, kind] : kinds)
-  {
-    if (name == text)
-    {
-      return kind;
-    }
-    known.emplace_back(text);
-  }
-  throw InputError(
-    fmt::format("there is no shape '{}': choose one of {}", name, fmt::join(known, ", ")));
-}
-
-std::string shape_name(ShapeRequest::Kind kind)
-{
-  return std::ranges::find(kinds, kind, &std::pair<const char*, ShapeRequest::Kind>::second)->first;
 }
 
 }

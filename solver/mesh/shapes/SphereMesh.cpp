@@ -2,7 +2,8 @@
 
 #include "solver/mesh/EdgeUses.h"
 #include "solver/mesh/PointHash.h"
-#include "solver/mesh/shapes/Shapes.h"
+#include "solver/mesh/Refinement.h"
+#include "solver/mesh/shapes/GeodesicSphere.h"
 
 #include <Eigen/Geometry>
 
@@ -32,49 +33,40 @@ SphereMesh geodesic_sphere_mesh(int n)
   return { std::move(directions), std::move(triangles), {} };
 }
 
-std::vector<Turn> dihedral_turns(const SphereMesh& mesh, int fold)
+std::vector<SymmetryOperation> dihedral_symmetries(const SphereMesh& mesh, int fold)
 {
   const double rounding = 1e-10;
   const int points = static_cast<int>(mesh.directions.rows());
   PointHash hash(rounding);
   for (int i = 0; i < points; ++i)
-  {
     hash.insert(mesh.directions.row(i), i);
-  }
-  std::vector<Turn> turns;
+  std::vector<SymmetryOperation> symmetries;
   for (int k = 1; k < 2 * fold; ++k)
   {
     const double angle = 2 * std::numbers::pi * k / fold;
-    Turn turn{ Eigen::AngleAxisd(angle, Vector3::UnitZ()).toRotationMatrix(), {} };
+    SymmetryOperation operation{ Eigen::AngleAxisd(angle, Vector3::UnitZ()).toRotationMatrix(),
+      {} };
     if (k >= fold)
-    {
-      turn.rotation *= Vector3(-1, 1, -1).asDiagonal();
-    }
+      operation.rotation *= Vector3(-1, 1, -1).asDiagonal();
     for (int i = 0; i < points; ++i)
-    {
-      turn.image.push_back(hash.find(turn.rotation * mesh.directions.row(i).transpose()));
-    }
-    if (std::ranges::find(turn.image, -1) == turn.image.end())
-    {
-      turns.push_back(std::move(turn));
-    }
+      operation.image.push_back(hash.find(operation.rotation * mesh.directions.row(i).transpose()));
+    if (std::ranges::find(operation.image, -1) == operation.image.end())
+      symmetries.push_back(std::move(operation));
   }
-  return turns;
+  return symmetries;
 }
 
-SphereMesh turned_over(const SphereMesh& mesh)
+SphereMesh axes_permuted(const SphereMesh& mesh)
 {
-  const Eigen::Matrix3d over = Eigen::PermutationMatrix<3>(Eigen::Vector3i(1, 2, 0));
-  SphereMesh turned = mesh;
-  turned.directions = mesh.directions * over.transpose();
-  for (Turn& turn : turned.turns)
-  {
-    turn.rotation = over * turn.rotation * over.transpose();
-  }
-  return turned;
+  const Eigen::Matrix3d permutation = Eigen::PermutationMatrix<3>(Eigen::Vector3i(1, 2, 0));
+  SphereMesh permuted = mesh;
+  permuted.directions = mesh.directions * permutation.transpose();
+  for (SymmetryOperation& operation : permuted.symmetries)
+    operation.rotation = permutation * operation.rotation * permutation.transpose();
+  return permuted;
 }
 
-SphereMesh cut_in_four(const SphereMesh& mesh)
+SphereMesh refined(const SphereMesh& mesh)
 {
   const int points = static_cast<int>(mesh.directions.rows());
   const EdgeUses edges(mesh.triangles);
@@ -87,17 +79,23 @@ SphereMesh cut_in_four(const SphereMesh& mesh)
     cut.directions.row(points + e) =
       (mesh.directions.row(use.a) + mesh.directions.row(use.b)).normalized();
   }
-  cut.triangles = cut_in_four(mesh.triangles, edges, points);
-  for (Turn turn : mesh.turns)
+  cut.triangles = refined(mesh.triangles, edges, points);
+  for (SymmetryOperation operation : mesh.symmetries)
   {
     for (int e = 0; e < edges.size(); ++e)
     {
       const EdgeUse& use = edges[e].front();
-      turn.image.push_back(points + find_edge(edges, turn.image[use.a], turn.image[use.b]));
+      operation.image.push_back(
+        points + find_edge(edges, operation.image[use.a], operation.image[use.b]));
     }
-    cut.turns.push_back(std::move(turn));
+    cut.symmetries.push_back(std::move(operation));
   }
   return cut;
+}
+
+TriangleMesh mapped(const SphereMesh& mesh, const SphericalParametrisation& surface)
+{
+  return mapped(TriangleMesh{ mesh.directions, mesh.triangles }, surface);
 }
 
 }

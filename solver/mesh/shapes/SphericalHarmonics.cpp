@@ -22,9 +22,7 @@ void for_each_legendre(int m, int degree, const Number& z, Visit visit)
   const auto alpha = [m](double l) { return std::sqrt((4 * l * l - 1) / (l * l - double(m) * m)); };
   double sectoral = std::sqrt(0.25 / std::numbers::pi); // P_m^m / sin^m θ
   for (int k = 1; k <= m; ++k)
-  {
     sectoral *= std::sqrt((2.0 * k + 1) / (2.0 * k));
-  }
   Number below = 0 * z;
   Number legendre = below + sectoral;
   visit(m, legendre);
@@ -52,13 +50,9 @@ double real_spherical_harmonic(int l, int m, const Eigen::Vector3d& d)
   for_each_legendre(order, l, d.z(), [&](int, double value) { legendre = value; });
   std::complex<double> azimuth = 1; // (x + iy)^m = sin^m θ e^{imφ}
   for (int k = 0; k < order; ++k)
-  {
     azimuth *= std::complex<double>(d.x(), d.y());
-  }
   if (m == 0)
-  {
     return legendre;
-  }
   return std::numbers::sqrt2 * legendre * (m > 0 ? azimuth.real() : azimuth.imag());
 }
 
@@ -77,9 +71,7 @@ Eigen::VectorXd harmonic_moments(
       {
         moments[harmonic_index(l, m)] = (cosine * legendre).sum();
         if (m > 0)
-        {
           moments[harmonic_index(l, -m)] = (sine * legendre).sum();
-        }
       });
     const double factor = m == 0 ? std::numbers::sqrt2 : 1;
     const Array next = factor * (x * cosine - y * sine);

@@ -7,6 +7,8 @@
 #include "vtkVesicleOffscreen.h"
 
 #include "render/SurfaceMeasures.h"
+#include "solver/mesh/MeshIntegrals.h"
+#include "solver/mesh/Topology.h"
 #include "solver/mesh/TriangleMesh.h"
 
 #include "vtkCleanPolyData.h"

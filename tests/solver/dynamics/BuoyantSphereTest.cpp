@@ -1,6 +1,8 @@
 // The paper's Fig. 4: a sphere with an inextensible membrane rises as a rigid one, U = 2/9 Bo, with
 // the tension γ = (Bo/3)(z − z_c) + const, in both formulations.
 #include "solver/dynamics/Simulation.h"
+#include "solver/mesh/shapes/ShapeRequest.h"
+#include "solver/mesh/shapes/Shapes.h"
 #include "tests/solver/support/TestMeshes.h"
 
 #include <gtest/gtest.h>

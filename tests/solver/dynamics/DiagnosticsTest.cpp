@@ -2,6 +2,9 @@
 #include "solver/dynamics/Simulation.h"
 #include "solver/flow/Extension.h"
 #include "solver/flow/Shear.h"
+#include "solver/mesh/shapes/ShapeRequest.h"
+#include "solver/mesh/shapes/Shapes.h"
+#include "solver/mesh/shapes/SphericalHarmonics.h"
 #include "tests/solver/support/TestMeshes.h"
 
 #include <gtest/gtest.h>

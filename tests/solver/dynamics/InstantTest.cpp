@@ -2,6 +2,8 @@
 #include "solver/dynamics/Simulation.h"
 #include "solver/flow/Poiseuille.h"
 #include "solver/flow/Shear.h"
+#include "solver/mesh/shapes/ShapeRequest.h"
+#include "solver/mesh/shapes/Shapes.h"
 #include "solver/stokes/MembraneFlow.h"
 #include "tests/solver/support/TestMeshes.h"
 

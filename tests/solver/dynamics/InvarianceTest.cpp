@@ -2,6 +2,7 @@
 // ten steps.
 #include "solver/dynamics/Simulation.h"
 #include "solver/flow/Shear.h"
+#include "solver/mesh/MeshIntegrals.h"
 #include "tests/solver/support/TestMeshes.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,6 @@
 #include "solver/dynamics/Observables.h"
+#include "solver/mesh/shapes/GeodesicSphere.h"
+#include "solver/mesh/shapes/SphericalHarmonics.h"
 #include "tests/solver/dynamics/SurfaceCase.h"
 #include "tests/solver/support/TestMeshes.h"
 

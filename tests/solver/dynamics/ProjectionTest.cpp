@@ -1,4 +1,6 @@
 #include "solver/dynamics/Projection.h"
+#include "solver/mesh/MeshIntegrals.h"
+#include "solver/mesh/shapes/GeodesicSphere.h"
 #include "tests/solver/support/TestMeshes.h"
 
 #include <gtest/gtest.h>

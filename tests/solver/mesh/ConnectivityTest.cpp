@@ -1,4 +1,5 @@
 #include "tests/solver/mesh/TestMeshes.h"
+#include "solver/mesh/Connectivity.h"
 
 #include <gtest/gtest.h>
 

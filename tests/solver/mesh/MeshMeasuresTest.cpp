@@ -1,6 +1,7 @@
 #include "tests/solver/mesh/TestMeshes.h"
 
 #include "solver/Errors.h"
+#include "solver/mesh/MeshIntegrals.h"
 #include "solver/mesh/MeshQuality.h"
 
 #include <gtest/gtest.h>

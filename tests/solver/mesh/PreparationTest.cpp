@@ -1,6 +1,9 @@
 #include "tests/solver/mesh/TestMeshes.h"
 
 #include "solver/Errors.h"
+#include "solver/mesh/MeshIntegrals.h"
+#include "solver/mesh/Preparation.h"
+#include "solver/mesh/Topology.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

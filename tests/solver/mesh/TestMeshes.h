@@ -1,7 +1,7 @@
 #pragma once
 // Small meshes with known properties and faults.
 
-#include "solver/mesh/shapes/Shapes.h"
+#include "solver/mesh/shapes/GeodesicSphere.h"
 
 #include <algorithm>
 #include <cmath>

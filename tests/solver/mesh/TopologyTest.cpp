@@ -1,4 +1,5 @@
 #include "tests/solver/mesh/TestMeshes.h"
+#include "solver/mesh/Topology.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "TestRun.h"
 
 #include "solver/Errors.h"
-#include "solver/mesh/shapes/Shapes.h"
+#include "solver/mesh/shapes/GeodesicSphere.h"
 
 #include <gtest/gtest.h>
 #include <hdf5.h>

@@ -1,3 +1,4 @@
+#include "solver/mesh/shapes/GeodesicSphere.h"
 #include "solver/stokes/SingleLayer.h"
 
 #include "solver/stokes/LayerModes.h"

@@ -2,6 +2,8 @@
 // triangles the root mean square error falls with an order of 2.8 to 3.5 in the edge length:
 // elsewhere the surface is of fourth order, around the twelve extraordinary vertices of second.
 
+#include "solver/mesh/shapes/ShapeRequest.h"
+#include "solver/mesh/shapes/Shapes.h"
 #include "solver/surface/LoopBasis.h"
 #include "solver/stokes/SingleLayer.h"
 #include "tests/solver/support/TestMeshes.h"

@@ -1,7 +1,6 @@
 #pragma once
 // Meshes for tests: regular and irregular, spherical and not.
 
-#include "solver/mesh/shapes/Shapes.h"
 #include "solver/mesh/shapes/SampleMeshes.h"
 
 #include <map>
@@ -11,7 +10,7 @@
 namespace vesicle::test
 {
 
-using Map = DirectionMap;
+using Map = SphericalParametrisation;
 using vesicle::ellipsoid_2_1_1;
 using vesicle::jittered_sphere;
 using vesicle::mapped;

@@ -1,5 +1,6 @@
 // Not covered: pointwise convergence of Δ_s H, which the cotan scheme doesn't have at vertices of
 // valence other than six or on irregular meshes; weak convergence is tested with the bending force.
+#include "solver/mesh/shapes/GeodesicSphere.h"
 #include "solver/surface/Cotan.h"
 #include "tests/solver/support/CotanCase.h"
 #include "tests/solver/support/TestMeshes.h"

@@ -2,6 +2,7 @@
 #include "solver/surface/FittedCurvature.h"
 #include "solver/membrane/Bending.h"
 #include "solver/membrane/ExactCurvature.h"
+#include "solver/mesh/shapes/GeodesicSphere.h"
 #include "solver/state/Table.h"
 #include "tests/solver/support/TestMeshes.h"
 

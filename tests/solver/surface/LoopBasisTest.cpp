@@ -1,6 +1,8 @@
 #include "solver/surface/LoopBasis.h"
 
 #include "solver/Errors.h"
+#include "solver/mesh/Connectivity.h"
+#include "solver/mesh/shapes/GeodesicSphere.h"
 #include "solver/surface/SurfaceIntegrals.h"
 #include "tests/solver/support/TestMeshes.h"
 

@@ -1,3 +1,5 @@
+#include "solver/mesh/MeshIntegrals.h"
+#include "solver/mesh/shapes/GeodesicSphere.h"
 #include "solver/surface/SurfaceIntegrals.h"
 #include "tests/solver/support/TestMeshes.h"
 

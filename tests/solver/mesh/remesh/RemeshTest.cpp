@@ -2,7 +2,10 @@
 
 #include "solver/Errors.h"
 #include "solver/dynamics/Discretization.h"
+#include "solver/mesh/MeshIntegrals.h"
+#include "solver/mesh/Preparation.h"
 #include "solver/mesh/remesh/Remesh.h"
+#include "solver/mesh/shapes/GeodesicSphere.h"
 #include "solver/mesh/shapes/SampleMeshes.h"
 #include "solver/mesh/shapes/ShapeFamily.h"
 
@@ -21,12 +24,12 @@ using testing::HasSubstr;
 
 namespace
 {
-SphereImage ellipsoid(double a, double b, double c)
+SphericalParametrisation ellipsoid(double a, double b, double c)
 {
   return [=](const Vector3& d) -> Vector3 { return { a * d.x(), b * d.y(), c * d.z() }; };
 }
 
-SphereImage discocyte(double deflation = 0)
+SphericalParametrisation discocyte(double deflation = 0)
 {
   ShapeRequest request;
   request.kind = ShapeRequest::Kind::discocyte;
@@ -67,7 +70,7 @@ Vector3 cup(const Vector3& d)
 }
 
 /// Meridians and parallels: long thin triangles around the poles.
-TriangleMesh meridians(int rings, int sectors, const SphereImage& image)
+TriangleMesh meridians(int rings, int sectors, const SphericalParametrisation& image)
 {
   TriangleMesh mesh{ Points(2 + (rings - 1) * sectors, 3),
     Triangles(2 * (rings - 1) * sectors, 3) };
@@ -98,7 +101,7 @@ TriangleMesh meridians(int rings, int sectors, const SphereImage& image)
 }
 
 /// A geodesic sphere with its points thrown about by a quarter of an edge.
-TriangleMesh jittered(int n, const SphereImage& image)
+TriangleMesh jittered(int n, const SphericalParametrisation& image)
 {
   TriangleMesh mesh = geodesic_sphere(n);
   const double size = 0.25 * mesh_quality(mesh).mean_edge;
@@ -125,14 +128,14 @@ double distance_to_ellipsoid(const Points& points, const Vector3& axes)
   return largest / std::cbrt(axes.prod());
 }
 
-void expect_good(const Resampled& resampled, int triangles, double least_angle, double edge_ratio)
+void expect_good(const Remeshed& remeshed, int triangles, double least_angle, double edge_ratio)
 {
-  const ResampleReport& report = resampled.report;
-  TriangleMesh mesh = resampled.mesh;
+  const RemeshReport& report = remeshed.report;
+  TriangleMesh mesh = remeshed.mesh;
   EXPECT_EQ(mesh.triangles.rows(), triangles);
   EXPECT_EQ(report.triangles, triangles);
-  EXPECT_EQ(prepare_for_dynamics(mesh, "resampled"), "");
-  EXPECT_EQ(mesh.points, resampled.mesh.points);
+  EXPECT_EQ(prepare_for_dynamics(mesh, "remeshed"), "");
+  EXPECT_EQ(mesh.points, remeshed.mesh.points);
   EXPECT_GE(report.quality.min_angle_deg, least_angle);
   EXPECT_LE(report.quality.edge_ratio, edge_ratio);
   EXPECT_GE(report.least_valence, 4);
@@ -210,7 +213,7 @@ std::string refusal(const TriangleMesh& mesh, int triangles)
 {
   try
   {
-    resample(mesh, triangles);
+    remesh(mesh, triangles);
   }
   catch (const InputError& error)
   {
@@ -236,7 +239,7 @@ struct Case
 // triangles, whose edges are ten times as long as the tips' radius of curvature); in 1280 triangles
 // at least 31.7° and at most 2.22. Other compilers and orders of points give other meshes of the
 // kind.
-TEST(Resample, QualityOfAllShapesFromAnyTriangles)
+TEST(Remesh, QualityOfAllShapesFromAnyTriangles)
 {
   const std::vector<Case> cases{
     { "sphere", jittered(16, ellipsoid(1, 1, 1)), 42, 1.8, 43, 1.8 },
@@ -253,7 +256,7 @@ TEST(Resample, QualityOfAllShapesFromAnyTriangles)
   for (const Case& c : cases)
   {
     SCOPED_TRACE(c.name);
-    const Resampled coarse = resample(c.mesh, 320), fine = resample(c.mesh, 1280);
+    const Remeshed coarse = remesh(c.mesh, 320), fine = remesh(c.mesh, 1280);
     expect_good(coarse, 320, c.angle_320, c.ratio_320);
     expect_good(fine, 1280, c.angle_1280, c.ratio_1280);
     EXPECT_GE(share_of_valences_5_to_7(coarse.mesh), 0.95);
@@ -269,7 +272,7 @@ TEST(Resample, QualityOfAllShapesFromAnyTriangles)
 
 // Vertices on the exact surface up to the input's own error; the flat triangles between them
 // converge with h².
-TEST(Resample, ConvergesToTheExactEllipsoid)
+TEST(Remesh, ConvergesToTheExactEllipsoid)
 {
   const TriangleMesh input = jittered(50, ellipsoid(2, 1, 1));
   const double e = std::sqrt(0.75);
@@ -278,11 +281,11 @@ TEST(Resample, ConvergesToTheExactEllipsoid)
   std::vector<double> area_error, volume_error;
   for (const int triangles : { 320, 1280, 5120 })
   {
-    const Resampled resampled = resample(input, triangles);
-    expect_good(resampled, triangles, 38, 2.2); // measured: 43°, 2.0
-    EXPECT_LT(distance_to_ellipsoid(resampled.mesh.points, { 2, 1, 1 }), 1e-5); // measured 3e-6
-    area_error.push_back(1 - flat_area(resampled.mesh) / area);
-    volume_error.push_back(1 - flat_volume(resampled.mesh) / volume);
+    const Remeshed remeshed = remesh(input, triangles);
+    expect_good(remeshed, triangles, 38, 2.2); // measured: 43°, 2.0
+    EXPECT_LT(distance_to_ellipsoid(remeshed.mesh.points, { 2, 1, 1 }), 1e-5); // measured 3e-6
+    area_error.push_back(1 - flat_area(remeshed.mesh) / area);
+    volume_error.push_back(1 - flat_volume(remeshed.mesh) / volume);
   }
   for (const auto& error : { area_error, volume_error })
   {
@@ -293,11 +296,11 @@ TEST(Resample, ConvergesToTheExactEllipsoid)
 }
 
 // With h² also where the surface is dimpled.
-TEST(Resample, FollowsADimpledSurface)
+TEST(Remesh, FollowsADimpledSurface)
 {
   const TriangleMesh input = meridians(120, 180, discocyte());
-  const ResampleReport coarse = resample(input, 320).report;
-  const ResampleReport fine = resample(input, 1280).report;
+  const RemeshReport coarse = remesh(input, 320).report;
+  const RemeshReport fine = remesh(input, 1280).report;
   EXPECT_GT(coarse.rms_distance / fine.rms_distance, 3);
   EXPECT_LT(std::abs(fine.area_error), 0.01);
   EXPECT_LT(std::abs(fine.volume_error), 0.015);
@@ -305,17 +308,17 @@ TEST(Resample, FollowsADimpledSurface)
 }
 
 // The flat triangles of the coarse input enclose 2.5% less than the ellipsoid.
-TEST(Resample, SmoothsCoarseInputs)
+TEST(Remesh, SmoothsCoarseInputs)
 {
   const TriangleMesh input = jittered(5, ellipsoid(2, 1, 1));
-  const Resampled resampled = resample(input, 5120);
-  expect_good(resampled, 5120, 30, 2.3);
-  EXPECT_LT(distance_to_ellipsoid(resampled.mesh.points, { 2, 1, 1 }), 8e-3); // measured 4.7e-3
-  EXPECT_NEAR(flat_volume(resampled.mesh), 8 * std::numbers::pi / 3, 0.03);
-  EXPECT_GT(resampled.report.volume_error, 0.01);
+  const Remeshed remeshed = remesh(input, 5120);
+  expect_good(remeshed, 5120, 30, 2.3);
+  EXPECT_LT(distance_to_ellipsoid(remeshed.mesh.points, { 2, 1, 1 }), 8e-3); // measured 4.7e-3
+  EXPECT_NEAR(flat_volume(remeshed.mesh), 8 * std::numbers::pi / 3, 0.03);
+  EXPECT_GT(remeshed.report.volume_error, 0.01);
 }
 
-TEST(Resample, MeshesOfOtherPrograms)
+TEST(Remesh, MeshesOfOtherPrograms)
 {
   for (const std::string name : { "capsule.ply", "peanut.off" })
   {
@@ -323,59 +326,59 @@ TEST(Resample, MeshesOfOtherPrograms)
     const TriangleMesh input = read_off_or_ply(name);
     for (const int triangles : { 320, 1280 })
     {
-      const Resampled resampled = resample(input, triangles);
-      expect_good(resampled, triangles, 33, 2.1);
-      EXPECT_LT(resampled.report.max_distance, triangles == 320 ? 0.06 : 0.02);
+      const Remeshed remeshed = remesh(input, triangles);
+      expect_good(remeshed, triangles, 33, 2.1);
+      EXPECT_LT(remeshed.report.max_distance, triangles == 320 ? 0.06 : 0.02);
       const double r0 = std::cbrt(3 * flat_volume(input) / (4 * std::numbers::pi));
-      EXPECT_LT((volume_centroid(resampled.mesh) - volume_centroid(input)).norm(), 0.01 * r0);
+      EXPECT_LT((volume_centroid(remeshed.mesh) - volume_centroid(input)).norm(), 0.01 * r0);
     }
   }
 }
 
-TEST(Resample, NumbersOfTrianglesToOnePercent)
+TEST(Remesh, NumbersOfTrianglesToOnePercent)
 {
   const TriangleMesh input = jittered(12, ellipsoid(2, 1.3, 1));
   for (const int triangles : { 80, 320, 1280 })
   {
-    expect_good(resample(input, triangles), triangles, 33, 2.1);
+    expect_good(remesh(input, triangles), triangles, 33, 2.1);
   }
   for (const int triangles : { 100, 500, 777, 1000, 1500 })
   {
-    const Resampled resampled = resample(input, triangles);
-    EXPECT_NEAR(resampled.report.triangles, triangles, 0.01 * triangles);
-    expect_good(resampled, resampled.report.triangles, 33, 2.1);
+    const Remeshed remeshed = remesh(input, triangles);
+    EXPECT_NEAR(remeshed.report.triangles, triangles, 0.01 * triangles);
+    expect_good(remeshed, remeshed.report.triangles, 33, 2.1);
   }
-  EXPECT_EQ(resample(sphere(8), 20).report.triangles, 20);
+  EXPECT_EQ(remesh(sphere(8), 20).report.triangles, 20);
 }
 
 // Twelve is the least that a closed mesh can have. Measured: 12 and 14.
-TEST(Resample, FewExtraordinaryVerticesHoweverFine)
+TEST(Remesh, FewExtraordinaryVerticesHoweverFine)
 {
   const TriangleMesh rough = delaunay_sphere(jittered_sphere(24, 0.3));
-  for (const SphereImage& image : { ellipsoid(1, 1, 1), ellipsoid(2, 1, 1), discocyte() })
+  for (const SphericalParametrisation& image : { ellipsoid(1, 1, 1), ellipsoid(2, 1, 1), discocyte() })
   {
     const TriangleMesh input = mapped(rough, image);
     for (const int triangles : { 320, 1280, 5120 })
     {
-      EXPECT_LE(extraordinary_vertices(resample(input, triangles).mesh), 20);
+      EXPECT_LE(extraordinary_vertices(remesh(input, triangles).mesh), 20);
     }
   }
 }
 
 // A bud that the coarsest meshes would leave out.
-TEST(Resample, LosesNoBud)
+TEST(Remesh, LosesNoBud)
 {
   const auto budded = [](const Vector3& d) -> Vector3
   { return (1 + 0.6 * std::exp(-40 * (1 - d.z()))) * d; };
-  const Resampled resampled = resample(jittered(32, budded), 1280);
-  EXPECT_GE(resampled.report.quality.min_angle_deg, 33);
-  EXPECT_LT(resampled.report.max_distance, 0.05);
+  const Remeshed remeshed = remesh(jittered(32, budded), 1280);
+  EXPECT_GE(remeshed.report.quality.min_angle_deg, 33);
+  EXPECT_LT(remeshed.report.max_distance, 0.05);
 }
 
 // Vertices drawn onto the exact ellipsoid, so that the triangulation alone is judged. Measured:
 // 9.7e-4, 1.6e-5, 2.0e-6 (a smooth start mesh: 9.2e-4, 1.4e-5, 2.0e-6); direct meshing leaves 8e-4
 // at 1,280 and 7e-4 at 5,120.
-TEST(Resample, BendingEnergyConverges)
+TEST(Remesh, BendingEnergyConverges)
 {
   const TriangleMesh input = mapped(delaunay_sphere(jittered_sphere(32, 0.3)), ellipsoid(2, 1, 1));
   const int n = 4000;
@@ -390,7 +393,7 @@ TEST(Resample, BendingEnergyConverges)
   std::vector<double> error;
   for (const int triangles : { 320, 1280, 5120 })
   {
-    const TriangleMesh mesh = projected(resample(input, triangles).mesh);
+    const TriangleMesh mesh = projected(remesh(input, triangles).mesh);
     error.push_back(std::abs(bending_energy(mesh) / exact - 1));
   }
   EXPECT_LT(error[0], 1.2e-3);
@@ -398,31 +401,31 @@ TEST(Resample, BendingEnergyConverges)
   EXPECT_LT(error[2], 5e-6);
 }
 
-TEST(Resample, RoundsAnAngularBody)
+TEST(Remesh, RoundsAnAngularBody)
 {
   // An octahedron: eight triangles, far from smooth.
   TriangleMesh input{ Points(6, 3),
     triangle_list({ { 0, 2, 4 }, { 2, 1, 4 }, { 1, 3, 4 }, { 3, 0, 4 }, { 2, 0, 5 }, { 1, 2, 5 },
       { 3, 1, 5 }, { 0, 3, 5 } }) };
   input.points << 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1;
-  expect_good(resample(input, 1280), 1280, 30, 2.5);
+  expect_good(remesh(input, 1280), 1280, 30, 2.5);
 }
 
-TEST(Resample, DenseInput)
+TEST(Remesh, DenseInput)
 {
-  const Resampled resampled = resample(jittered(71, discocyte()), 1280); // 100,820 triangles
-  expect_good(resampled, 1280, 34, 2);
-  EXPECT_LT(resampled.report.max_distance, 0.025);
+  const Remeshed remeshed = remesh(jittered(71, discocyte()), 1280); // 100,820 triangles
+  expect_good(remeshed, 1280, 34, 2);
+  EXPECT_LT(remeshed.report.max_distance, 0.025);
 }
 
 // Rounding grows by the many steps but decides nothing.
-TEST(Resample, TurnedMovedAndScaledAlike)
+TEST(Remesh, TurnedMovedAndScaledAlike)
 {
   const TriangleMesh input = jittered(12, ellipsoid(2, 1.3, 1));
   TriangleMesh other = input;
   other.points = 1e-6 * (input.points * some_turn().transpose());
   other = moved(other, 1e-5 * Vector3(1, -2, 3));
-  const Resampled first = resample(input, 1280), second = resample(other, 1280);
+  const Remeshed first = remesh(input, 1280), second = remesh(other, 1280);
   EXPECT_EQ(first.mesh.triangles, second.mesh.triangles);
   const TriangleMesh expected =
     moved({ 1e-6 * (first.mesh.points * some_turn().transpose()), {} }, 1e-5 * Vector3(1, -2, 3));
@@ -431,15 +434,15 @@ TEST(Resample, TurnedMovedAndScaledAlike)
   EXPECT_NEAR(first.report.volume_error, second.report.volume_error, 1e-6);
 }
 
-TEST(Resample, IsDeterministic)
+TEST(Remesh, IsDeterministic)
 {
   const TriangleMesh input = meridians(40, 40, ellipsoid(1, 1, prolate_05));
-  const Resampled first = resample(input, 500), second = resample(input, 500);
+  const Remeshed first = remesh(input, 500), second = remesh(input, 500);
   EXPECT_EQ(first.mesh.points, second.mesh.points);
   EXPECT_EQ(first.mesh.triangles, second.mesh.triangles);
 }
 
-TEST(Resample, SaysWhatCannotBe)
+TEST(Remesh, SaysWhatCannotBe)
 {
   EXPECT_THAT(refusal(sphere(), 18), HasSubstr("triangles = 18"));
   EXPECT_THAT(refusal(sphere(), 2'000'000), HasSubstr("20 to 200000"));

@@ -1,4 +1,7 @@
+#include "solver/mesh/Connectivity.h"
+#include "solver/mesh/Topology.h"
 #include "solver/mesh/shapes/CappedTube.h"
+#include "solver/mesh/shapes/SphereMesh.h"
 
 #include "tests/solver/mesh/TestMeshes.h"
 
@@ -54,7 +57,7 @@ TEST(CappedTube, AllAreClosedWithTwelveFives)
       EXPECT_TRUE(t.closed && t.manifold && t.oriented && t.components == 1 && t.genus == 0);
       EXPECT_EQ(valences(mesh)[5], 12);
       EXPECT_EQ(valences(mesh)[6], triangles / 2 - 10);
-      EXPECT_EQ(dihedral_turns(mesh, tube.fold).size(), 2 * tube.fold - 1);
+      EXPECT_EQ(dihedral_symmetries(mesh, tube.fold).size(), 2 * tube.fold - 1);
     }
   }
 }

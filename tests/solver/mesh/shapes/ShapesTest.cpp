@@ -1,7 +1,15 @@
 #include "tests/solver/mesh/TestMeshes.h"
 
 #include "solver/Errors.h"
+#include "solver/mesh/Connectivity.h"
+#include "solver/mesh/MeshIntegrals.h"
 #include "solver/mesh/MeshQuality.h"
+#include "solver/mesh/Preparation.h"
+#include "solver/mesh/Topology.h"
+#include "solver/mesh/shapes/GeodesicSphere.h"
+#include "solver/mesh/shapes/ShapeRequest.h"
+#include "solver/mesh/shapes/Shapes.h"
+#include "solver/mesh/shapes/SphericalHarmonics.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

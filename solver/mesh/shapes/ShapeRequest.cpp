@@ -1,0 +1,44 @@
+#include "solver/mesh/shapes/ShapeRequest.h"
+
+#include "solver/Errors.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace vesicle
+{
+
+namespace
+{
+constexpr std::array<std::pair<const char*, ShapeRequest::Kind>, 6> kinds{ {
+  { "sphere", ShapeRequest::Kind::sphere },
+  { "prolate", ShapeRequest::Kind::prolate },
+  { "oblate", ShapeRequest::Kind::oblate },
+  { "ellipsoid", ShapeRequest::Kind::ellipsoid },
+  { "discocyte", ShapeRequest::Kind::discocyte },
+  { "perturbed", ShapeRequest::Kind::perturbed },
+} };
+}
+
+ShapeRequest::Kind shape_kind(const std::string& name)
+{
+  std::vector<std::string> known;
+  for (const auto& [text, kind] : kinds)
+  {
+    if (name == text)
+      return kind;
+    known.emplace_back(text);
+  }
+  throw InputError(
+    fmt::format("there is no shape '{}': choose one of {}", name, fmt::join(known, ", ")));
+}
+
+std::string shape_name(ShapeRequest::Kind kind)
+{
+  return std::ranges::find(kinds, kind, &std::pair<const char*, ShapeRequest::Kind>::second)->first;
+}
+
+}
