@@ -1,17 +1,19 @@
 #include "render/SurfaceMeasures.h"
 
 #include "solver/Errors.h"
+#include "solver/mesh/MeshIntegrals.h"
+#include "solver/mesh/VertexNormals.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
-#include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vesicle
@@ -19,21 +21,19 @@ namespace vesicle
 namespace
 {
 
-/// Below this share of the volume of a sphere of the same area a surface counts as enclosing
-/// nothing; a discocyte as thin as a membrane is far above it.
-constexpr double least_relative_volume = 1e-3;
+/// A surface with less counts as enclosing nothing; a discocyte as thin as a membrane is far above
+/// it.
+constexpr double least_reduced_volume = 1e-3;
 
-struct Triangle
+/// Polygons are cut into fans.
+TriangleMesh fan_mesh(vtkPolyData* surface)
 {
-  std::array<vtkIdType, 3> ids;
-  Point3 center;
-  Point3 area_vector; ///< area times normal
-};
-
-/// Calls visit(Triangle) for every triangle; polygons are cut into fans.
-template<typename Visitor>
-void for_each_triangle(vtkPolyData* surface, Visitor&& visit)
-{
+  TriangleMesh mesh{ Points(surface->GetNumberOfPoints(), 3), {} };
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    surface->GetPoint(i, mesh.points.row(i).data());
+  }
+  std::vector<std::array<vtkIdType, 3>> triangles;
   auto cells = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
   for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
   {
@@ -42,75 +42,58 @@ void for_each_triangle(vtkPolyData* surface, Visitor&& visit)
     cells->GetCurrentCell(size, ids);
     for (vtkIdType k = 2; k < size; ++k)
     {
-      Triangle t{ { ids[0], ids[k - 1], ids[k] }, {}, {} };
-      Point3 a, b, c;
-      surface->GetPoint(t.ids[0], a.data());
-      surface->GetPoint(t.ids[1], b.data());
-      surface->GetPoint(t.ids[2], c.data());
-      Point3 ab, ac;
-      for (int i = 0; i < 3; ++i)
-      {
-        t.center[i] = (a[i] + b[i] + c[i]) / 3;
-        ab[i] = b[i] - a[i];
-        ac[i] = c[i] - a[i];
-      }
-      vtkMath::Cross(ab.data(), ac.data(), t.area_vector.data());
-      vtkMath::MultiplyScalar(t.area_vector.data(), 0.5);
-      visit(t);
+      triangles.push_back({ ids[0], ids[k - 1], ids[k] });
     }
   }
+  mesh.triangles.resize(static_cast<Eigen::Index>(triangles.size()), 3);
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+  {
+    const auto& [a, b, c] = triangles[t];
+    mesh.triangles.row(static_cast<Eigen::Index>(t)) << static_cast<int>(a), static_cast<int>(b),
+      static_cast<int>(c);
+  }
+  return mesh;
 }
 
-struct Measures
+/// Calls visit(centre, area vector, triangle) for each triangle.
+template<typename Visitor>
+void for_each_triangle(const TriangleMesh& mesh, Visitor&& visit)
 {
-  double area = 0;
-  double volume = 0; ///< signed
-  Point3 area_center{};
-  Point3 volume_center{};
-  bool encloses = false;
-};
+  for (int t = 0; t < mesh.triangles.rows(); ++t)
+  {
+    const auto [a, b, c] = corners(mesh, t);
+    visit(Vector3((a + b + c) / 3), Vector3((b - a).cross(c - a) / 2), t);
+  }
+}
 
-bool is_closed(const Point3& total_area_vector, double area)
+bool is_closed(const TriangleMesh& mesh)
 {
   constexpr double rounding = 1e-6; // points are often stored as floats
-  return vtkMath::Norm(total_area_vector.data()) <= rounding * area;
+  Vector3 total = Vector3::Zero();
+  for_each_triangle(mesh, [&](const Vector3&, const Vector3& area, int) { total += area; });
+  return total.norm() <= rounding * flat_area(mesh);
 }
 
-Measures measure(vtkPolyData* surface)
+bool encloses_a_volume(const TriangleMesh& mesh)
 {
-  Measures m;
-  Point3 area_vector{};
-  // Distances from any point nearby: volumes of a small vesicle far from the origin cancel.
-  Point3 origin;
-  surface->GetCenter(origin.data());
-  for_each_triangle(surface,
-    [&](const Triangle& t)
-    {
-      const double area = vtkMath::Norm(t.area_vector.data());
-      double height_area = 0;
-      for (int i = 0; i < 3; ++i)
-      {
-        height_area += (t.center[i] - origin[i]) * t.area_vector[i];
-      }
-      for (int i = 0; i < 3; ++i)
-      {
-        const double x = t.center[i] - origin[i];
-        m.area_center[i] += area * x;
-        m.volume_center[i] += height_area / 3 * 0.75 * x; // a cone's centroid
-        area_vector[i] += t.area_vector[i];
-      }
-      m.area += area;
-      m.volume += height_area / 3;
-    });
-  const double sphere = std::pow(m.area, 1.5) / (6 * std::sqrt(vtkMath::Pi()));
-  m.encloses =
-    is_closed(area_vector, m.area) && std::abs(m.volume) > least_relative_volume * sphere;
-  for (int i = 0; i < 3; ++i)
-  {
-    m.area_center[i] = origin[i] + m.area_center[i] / m.area;
-    m.volume_center[i] = origin[i] + m.volume_center[i] / m.volume;
-  }
-  return m;
+  return flat_area(mesh) > 0 && is_closed(mesh) &&
+    std::abs(flat_reduced_volume(mesh)) > least_reduced_volume;
+}
+
+Vector3 area_centroid(const TriangleMesh& mesh)
+{
+  // Seen from a point of the mesh: far from the origin no digits are lost.
+  const Vector3 origin = mesh.points.row(mesh.triangles(0, 0));
+  Vector3 moment = Vector3::Zero();
+  for_each_triangle(mesh,
+    [&](const Vector3& centre, const Vector3& area, int)
+    { moment += area.norm() * (centre - origin); });
+  return origin + moment / flat_area(mesh);
+}
+
+Point3 to_point(const Vector3& x)
+{
+  return { x[0], x[1], x[2] };
 }
 
 std::string names_of_point_arrays(vtkPolyData* surface)
@@ -128,49 +111,45 @@ std::string names_of_point_arrays(vtkPolyData* surface)
 
 Point3 surface_centroid(vtkPolyData* surface)
 {
-  if (surface->GetNumberOfPolys() == 0)
+  const TriangleMesh mesh = fan_mesh(surface);
+  if (mesh.triangles.rows() == 0)
   {
     throw InputError("the surface has no triangles");
   }
-  const Measures m = measure(surface);
-  const Point3& center = m.encloses ? m.volume_center : m.area_center;
-  if (!std::isfinite(center[0] + center[1] + center[2]))
+  const Vector3 center = encloses_a_volume(mesh) ? volume_centroid(mesh) : area_centroid(mesh);
+  if (!center.allFinite())
   {
     throw InputError("the surface has no area, or points that are not finite");
   }
-  return center;
+  return to_point(center);
 }
 
 double enclosed_volume(vtkPolyData* surface)
 {
-  const Measures m = measure(surface);
-  return m.encloses ? std::abs(m.volume) : 0;
+  const TriangleMesh mesh = fan_mesh(surface);
+  return encloses_a_volume(mesh) ? std::abs(flat_volume(mesh)) : 0;
 }
 
 Point3 centroid_velocity(vtkPolyData* surface, vtkDataArray* velocity)
 {
-  const Measures m = measure(surface);
-  Point3 sum{};
-  for_each_triangle(surface,
-    [&](const Triangle& t)
+  const TriangleMesh mesh = fan_mesh(surface);
+  const bool encloses = encloses_a_volume(mesh);
+  const Vector3 center = encloses ? volume_centroid(mesh) : Vector3::Zero();
+  const double total = encloses ? flat_volume(mesh) : flat_area(mesh);
+  Vector3 sum = Vector3::Zero();
+  for_each_triangle(mesh,
+    [&](const Vector3& centre, const Vector3& area, int t)
     {
-      Point3 u{};
-      for (const vtkIdType id : t.ids)
+      Vector3 u = Vector3::Zero();
+      for (const int corner : mesh.triangles.row(t))
       {
-        for (int i = 0; i < 3; ++i)
-        {
-          u[i] += velocity->GetComponent(id, i) / 3;
-        }
+        u += Vector3(velocity->GetComponent(corner, 0), velocity->GetComponent(corner, 1),
+               velocity->GetComponent(corner, 2)) /
+          3;
       }
-      const double area = vtkMath::Norm(t.area_vector.data());
-      const double flux = vtkMath::Dot(u.data(), t.area_vector.data());
-      for (int i = 0; i < 3; ++i)
-      {
-        sum[i] +=
-          m.encloses ? (t.center[i] - m.volume_center[i]) * flux / m.volume : u[i] * area / m.area;
-      }
+      sum += encloses ? Vector3((centre - center) * u.dot(area)) : Vector3(u * area.norm());
     });
-  return sum;
+  return to_point(sum / total);
 }
 
 std::vector<Point3> point_normals(vtkPolyData* surface)
@@ -185,19 +164,9 @@ std::vector<Point3> point_normals(vtkPolyData* surface)
     }
     return normals;
   }
-  for_each_triangle(surface,
-    [&](const Triangle& t)
-    {
-      for (const vtkIdType id : t.ids)
-      {
-        Point3& n = normals[static_cast<std::size_t>(id)];
-        vtkMath::Add(n.data(), t.area_vector.data(), n.data());
-      }
-    });
-  for (Point3& n : normals)
-  {
-    vtkMath::Normalize(n.data());
-  }
+  const TriangleMesh mesh = fan_mesh(surface);
+  const Points weighted = vertex_normals(mesh.points, mesh.triangles);
+  std::ranges::transform(weighted.rowwise(), normals.begin(), to_point);
   return normals;
 }
 

@@ -3,27 +3,21 @@
 namespace vesicle
 {
 
-// Each triangle's normal is computed at each of its corners: where its list begins has no say.
-Points vertex_normals(const Points& points, const Triangles& triangles, NormalWeights weights)
+Points vertex_normals(const Points& points, const Triangles& triangles)
 {
   using Row3 = Eigen::RowVector3d;
-  Points sum = Points::Zero(points.rows(), 3);
+  Points normals = Points::Zero(points.rows(), 3);
   for (const auto triangle : triangles.rowwise())
-    for (int k = 0; k < 3; ++k)
-    {
-      const int i = triangle[k];
-      const Row3 left = points.row(triangle[(k + 1) % 3]) - points.row(i);
-      const Row3 right = points.row(triangle[(k + 2) % 3]) - points.row(i);
-      const Row3 cross = left.cross(right);
-      if (!(cross.squaredNorm() > 0))
-        continue; // no area, no normal
-      sum.row(i) += weights == NormalWeights::area
-        ? Row3(cross / 6)
-        : Row3(cross / (left.squaredNorm() * right.squaredNorm()));
-    }
-  for (auto normal : sum.rowwise())
+  {
+    const Row3 to_b = points.row(triangle[1]) - points.row(triangle[0]);
+    const Row3 to_c = points.row(triangle[2]) - points.row(triangle[0]);
+    const Row3 cross = to_b.cross(to_c);
+    for (const int corner : triangle)
+      normals.row(corner) += cross;
+  }
+  for (auto normal : normals.rowwise())
     normal.normalize();
-  return sum;
+  return normals;
 }
 
 }

@@ -1,5 +1,7 @@
 #include "solver/surface/Basis.h"
 
+#include "solver/mesh/VertexNormals.h"
+
 namespace vesicle
 {
 
@@ -39,17 +41,7 @@ SparseMatrix LinearBasis::collocation() const
 
 Points LinearBasis::vertex_normals(const Points& control) const
 {
-  Points normals = Points::Zero(nodes_, 3);
-  for (const auto& t : triangles_.rowwise())
-  {
-    const Eigen::RowVector3d cross =
-      Eigen::RowVector3d(control.row(t[1]) - control.row(t[0]))
-        .cross(Eigen::RowVector3d(control.row(t[2]) - control.row(t[0])));
-    for (int corner : t)
-      normals.row(corner) += cross;
-  }
-  normals.rowwise().normalize();
-  return normals;
+  return vesicle::vertex_normals(control, triangles_);
 }
 
 namespace

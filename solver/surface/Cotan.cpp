@@ -1,5 +1,7 @@
 #include "solver/surface/Cotan.h"
 
+#include "solver/mesh/VertexNormals.h"
+
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -21,8 +23,8 @@ constexpr double flat_patch = 0.02;
 
 CotanGeometry::CotanGeometry(const Points& points, const Triangles& triangles)
   : vertex_area(Eigen::VectorXd::Zero(points.rows())),
-    angle_sum(Eigen::VectorXd::Zero(points.rows())), vertex_normal(Points::Zero(points.rows(), 3)),
-    laplacian(points.rows(), points.rows())
+    angle_sum(Eigen::VectorXd::Zero(points.rows())),
+    vertex_normal(vertex_normals(points, triangles)), laplacian(points.rows(), points.rows())
 {
   Triplets entries;
   for (const auto& triangle : triangles.rowwise())
@@ -31,13 +33,11 @@ CotanGeometry::CotanGeometry(const Points& points, const Triangles& triangles)
       const int i = triangle[corner], j = triangle[(corner + 1) % 3],
                 k = triangle[(corner + 2) % 3];
       const Row3 to_j = points.row(j) - points.row(i), to_k = points.row(k) - points.row(i);
-      const Row3 cross = to_j.cross(to_k);
-      const double twice_area = cross.norm(), dot = to_j.dot(to_k);
+      const double twice_area = to_j.cross(to_k).norm(), dot = to_j.dot(to_k);
       if (!(twice_area > 0))
         continue; // a degenerate triangle has no area and no angles to give
       vertex_area[i] += twice_area / 6;
       angle_sum[i] += std::atan2(twice_area, dot);
-      vertex_normal.row(i) += cross / 6;
       const double weight = 0.5 * dot / twice_area; // ½ cot of the angle at i, on the edge j–k
       entries.emplace_back(j, k, weight);
       entries.emplace_back(k, j, weight);
@@ -46,12 +46,8 @@ CotanGeometry::CotanGeometry(const Points& points, const Triangles& triangles)
     }
   laplacian.setFromTriplets(entries.begin(), entries.end());
   for (int i = 0; i < vertex_area.size(); ++i)
-  {
-    if (!(vertex_area[i] > 0))
-      continue;
-    laplacian.row(i) /= vertex_area[i];
-    vertex_normal.row(i).normalize();
-  }
+    if (vertex_area[i] > 0)
+      laplacian.row(i) /= vertex_area[i];
 }
 
 Curvature cotan_curvature(const CotanGeometry& g, const Points& points, NormalScheme scheme)

@@ -1,6 +1,7 @@
 #include "solver/surface/FittedCurvature.h"
 
 #include "solver/mesh/Connectivity.h"
+#include "solver/mesh/VertexNormals.h"
 
 #include <Eigen/QR>
 #include <tbb/parallel_for.h>
@@ -58,25 +59,6 @@ struct VertexFit
   Eigen::VectorXd laplacian; ///< Δ_s f = Σ laplacian_k (f(neighbour_k) − f(vertex))
 };
 
-Points area_weighted_normals(const TriangleMesh& mesh)
-{
-  Points normal = Points::Zero(mesh.points.rows(), 3);
-  for (const auto& triangle : mesh.triangles.rowwise())
-  {
-    const Row3 a = mesh.points.row(triangle[0]);
-    const Row3 cross = (mesh.points.row(triangle[1]) - a).cross(mesh.points.row(triangle[2]) - a);
-    for (int i : triangle)
-    {
-      normal.row(i) += cross;
-    }
-  }
-  for (auto n : normal.rowwise())
-  {
-    n.normalize();
-  }
-  return normal;
-}
-
 std::vector<char> border_vertices(const Connectivity& connectivity, int points)
 {
   std::vector<char> border(points, 0);
@@ -95,7 +77,7 @@ class Fitter
 public:
   explicit Fitter(const TriangleMesh& m)
     : mesh_(m), connectivity_(m.triangles, static_cast<int>(m.points.rows())),
-      normal_(area_weighted_normals(m)),
+      normal_(vertex_normals(m.points, m.triangles)),
       border_(border_vertices(connectivity_, static_cast<int>(m.points.rows())))
   {
   }

@@ -1,7 +1,6 @@
 #include "solver/mesh/remesh/FittedNormals.h"
 
 #include "solver/mesh/Connectivity.h"
-#include "solver/mesh/VertexNormals.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
@@ -22,12 +21,28 @@ constexpr double same_side = 0.5;
 /// A fit that turns the average normal by more than 30° (cosine) answers noise or a sharp edge.
 constexpr double trusted_turn = 0.866;
 
+/// Triangle normals weighted by sin α/(|e1| |e2|): exact on a sphere (N. Max, J. Graphics Tools 4
+/// (1999), no. 2, 1–6).
+Points average_normals(const TriangleMesh& mesh)
+{
+  Points sum = Points::Zero(mesh.points.rows(), 3);
+  for (const auto triangle : mesh.triangles.rowwise())
+    for (int k = 0; k < 3; ++k)
+    {
+      const Vector3 at = mesh.points.row(triangle[k]);
+      const Vector3 left = mesh.points.row(triangle[(k + 1) % 3]).transpose() - at;
+      const Vector3 right = mesh.points.row(triangle[(k + 2) % 3]).transpose() - at;
+      sum.row(triangle[k]) += left.cross(right) / (left.squaredNorm() * right.squaredNorm());
+    }
+  return sum.rowwise().normalized();
+}
+
 class NormalFit
 {
 public:
   explicit NormalFit(const TriangleMesh& mesh)
     : mesh_(mesh), connectivity_(mesh.triangles, static_cast<int>(mesh.points.rows())),
-      averages_(vertex_normals(mesh.points, mesh.triangles, NormalWeights::inverse_edges))
+      averages_(average_normals(mesh))
   {
   }
   Vector3 normal(int i) const;
