@@ -1,5 +1,5 @@
-#include "tests/solver/mesh/TestMeshes.h"
 #include "solver/mesh/Connectivity.h"
+#include "tests/solver/support/SmallMeshes.h"
 
 #include <gtest/gtest.h>
 
@@ -16,9 +16,7 @@ TEST(Connectivity, CountsOfAClosedSurface)
   EXPECT_TRUE(std::ranges::all_of(connectivity.edge_triangles, [](int n) { return n == 2; }));
   EXPECT_TRUE(std::ranges::is_sorted(connectivity.edges));
   for (int i = 0; i < mesh.points.rows(); ++i)
-  {
     EXPECT_EQ(connectivity.vertex_triangles.size(i), connectivity.vertex_neighbours.size(i));
-  }
 }
 
 TEST(Connectivity, ListsAreAscendingAndComplete)
@@ -33,12 +31,8 @@ TEST(Connectivity, ListsAreAscendingAndComplete)
     {
       triangles[i].insert(t);
       for (const int j : mesh.triangles.row(t))
-      {
         if (i != j)
-        {
           neighbours[i].insert(j);
-        }
-      }
     }
   }
   const auto same = [](const AdjacencyList& list, int i, const std::set<int>& expected)

@@ -1,9 +1,8 @@
-#include "tests/solver/mesh/TestMeshes.h"
-
 #include "solver/Errors.h"
 #include "solver/mesh/MeshIntegrals.h"
 #include "solver/mesh/Preparation.h"
 #include "solver/mesh/Topology.h"
+#include "tests/solver/support/SmallMeshes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -44,13 +43,9 @@ TriangleMesh read_off(const std::string& path)
   std::sscanf(line.c_str(), "%d %d", &points, &triangles);
   TriangleMesh mesh{ Points(points, 3), Triangles(triangles, 3) };
   for (int i = 0; i < points; ++i)
-  {
     file >> mesh.points(i, 0) >> mesh.points(i, 1) >> mesh.points(i, 2);
-  }
   for (int t = 0, corners = 0; t < triangles; ++t)
-  {
     file >> corners >> mesh.triangles(t, 0) >> mesh.triangles(t, 1) >> mesh.triangles(t, 2);
-  }
   return mesh;
 }
 }
@@ -102,7 +97,7 @@ TEST(Preparation, DropsUnusedPoints)
   const TriangleMesh good = mesh;
   mesh.points.conservativeResize(mesh.points.rows() + 1, 3);
   mesh.points.bottomRows(1) << 50, 0, 0;
-  mesh = renumbered(mesh); // now the unused point is the first
+  mesh = in_reverse_order(mesh); // now the unused point is the first
   EXPECT_THAT(
     prepare_for_dynamics(mesh, "cell.stl"), HasSubstr("a point that no triangle uses was dropped"));
   EXPECT_EQ(mesh.points.rows(), good.points.rows());

@@ -12,7 +12,7 @@
 namespace vesicle::test
 {
 
-TriangleMesh clifford_torus(int around, int across)
+TriangleMesh torus(double R, double r, int around, int across)
 {
   TriangleMesh mesh;
   mesh.points.resize(around * across, 3);
@@ -22,12 +22,17 @@ TriangleMesh clifford_torus(int around, int across)
     for (int j = 0; j < across; ++j)
     {
       const double u = 2 * std::numbers::pi * i / around, v = 2 * std::numbers::pi * j / across;
-      const double radius = std::numbers::sqrt2 + std::cos(v);
-      mesh.points.row(index(i, j)) << radius * std::cos(u), radius * std::sin(u), std::sin(v);
+      const double radius = R + r * std::cos(v);
+      mesh.points.row(index(i, j)) << radius * std::cos(u), radius * std::sin(u), r * std::sin(v);
       mesh.triangles.row(2 * index(i, j)) << index(i, j), index(i + 1, j), index(i + 1, j + 1);
       mesh.triangles.row(2 * index(i, j) + 1) << index(i, j), index(i + 1, j + 1), index(i, j + 1);
     }
   return mesh;
+}
+
+TriangleMesh clifford_torus(int around, int across)
+{
+  return torus(std::numbers::sqrt2, 1, around, across);
 }
 
 Renumbered renumbered(const TriangleMesh& mesh)

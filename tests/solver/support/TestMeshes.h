@@ -18,7 +18,9 @@ using vesicle::paper_surface;
 using vesicle::perturbed_sphere;
 using vesicle::smooth_sphere;
 
-/// The Clifford torus, R = √2, r = 1, by a grid of 2 · around · across triangles.
+/// A torus about z of radii R and r by a grid of 2 · around · across triangles.
+TriangleMesh torus(double R, double r, int around, int across);
+/// The Clifford torus: R = √2, r = 1.
 TriangleMesh clifford_torus(int around, int across);
 
 /// Points and triangles in another order: new point i is old point order[i].

@@ -1,5 +1,3 @@
-#include "tests/solver/mesh/TestMeshes.h"
-
 #include "solver/Errors.h"
 #include "solver/dynamics/Discretization.h"
 #include "solver/mesh/MeshIntegrals.h"
@@ -8,6 +6,7 @@
 #include "solver/mesh/shapes/GeodesicSphere.h"
 #include "solver/mesh/shapes/SampleMeshes.h"
 #include "solver/mesh/shapes/ShapeFamily.h"
+#include "tests/solver/support/SmallMeshes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -92,9 +91,7 @@ TriangleMesh meridians(int rings, int sectors, const SphericalParametrisation& i
         mesh.triangles.row(t++) << id(i, j), id(i + 1, j), id(i, j + 1);
       }
       if (i + 1 < rings)
-      {
         mesh.triangles.row(t++) << id(i, j + 1), id(i + 1, j), id(i + 1, j + 1);
-      }
     }
   }
   return mesh;
@@ -146,9 +143,7 @@ std::vector<int> valences(const TriangleMesh& mesh)
 {
   std::vector<int> result(mesh.points.rows(), 0);
   for (const int i : mesh.triangles.reshaped())
-  {
     ++result[i];
-  }
   return result;
 }
 
@@ -169,9 +164,7 @@ int extraordinary_vertices(const TriangleMesh& mesh)
 TriangleMesh projected(TriangleMesh mesh)
 {
   for (auto x : mesh.points.rowwise())
-  {
     x /= std::hypot(x[0] / 2, x[1], x[2]);
-  }
   return mesh;
 }
 
@@ -192,19 +185,13 @@ TriangleMesh read_off_or_ply(const std::string& name)
     std::sscanf(line.c_str(), "element vertex %d", &points);
     std::sscanf(line.c_str(), "element face %d", &triangles);
     if (std::sscanf(line.c_str(), "%d %d", &points, &triangles) == 2)
-    {
       break;
-    }
   }
   TriangleMesh mesh{ Points(points, 3), Triangles(triangles, 3) };
   for (int i = 0; i < points; ++i)
-  {
     file >> mesh.points(i, 0) >> mesh.points(i, 1) >> mesh.points(i, 2);
-  }
   for (int t = 0, corners = 0; t < triangles; ++t)
-  {
     file >> corners >> mesh.triangles(t, 0) >> mesh.triangles(t, 1) >> mesh.triangles(t, 2);
-  }
   prepare_for_dynamics(mesh, name);
   return mesh;
 }
@@ -339,9 +326,7 @@ TEST(Remesh, NumbersOfTrianglesToOnePercent)
 {
   const TriangleMesh input = jittered(12, ellipsoid(2, 1.3, 1));
   for (const int triangles : { 80, 320, 1280 })
-  {
     expect_good(remesh(input, triangles), triangles, 33, 2.1);
-  }
   for (const int triangles : { 100, 500, 777, 1000, 1500 })
   {
     const Remeshed remeshed = remesh(input, triangles);
@@ -355,13 +340,12 @@ TEST(Remesh, NumbersOfTrianglesToOnePercent)
 TEST(Remesh, FewExtraordinaryVerticesHoweverFine)
 {
   const TriangleMesh rough = delaunay_sphere(jittered_sphere(24, 0.3));
-  for (const SphericalParametrisation& image : { ellipsoid(1, 1, 1), ellipsoid(2, 1, 1), discocyte() })
+  for (const SphericalParametrisation& image :
+    { ellipsoid(1, 1, 1), ellipsoid(2, 1, 1), discocyte() })
   {
     const TriangleMesh input = mapped(rough, image);
     for (const int triangles : { 320, 1280, 5120 })
-    {
       EXPECT_LE(extraordinary_vertices(remesh(input, triangles).mesh), 20);
-    }
   }
 }
 

@@ -3,7 +3,7 @@
 #include "solver/mesh/shapes/CappedTube.h"
 #include "solver/mesh/shapes/SphereMesh.h"
 
-#include "tests/solver/mesh/TestMeshes.h"
+#include "tests/solver/support/SmallMeshes.h"
 
 #include <gtest/gtest.h>
 
@@ -21,9 +21,7 @@ std::map<int, int> valences(const SphereMesh& mesh)
   const Connectivity connectivity(mesh.triangles, points);
   std::map<int, int> count;
   for (int i = 0; i < points; ++i)
-  {
     ++count[connectivity.vertex_neighbours.size(i)];
-  }
   return count;
 }
 }

@@ -1,5 +1,3 @@
-#include "tests/solver/mesh/TestMeshes.h"
-
 #include "solver/Errors.h"
 #include "solver/mesh/Connectivity.h"
 #include "solver/mesh/MeshIntegrals.h"
@@ -10,9 +8,13 @@
 #include "solver/mesh/shapes/ShapeRequest.h"
 #include "solver/mesh/shapes/Shapes.h"
 #include "solver/mesh/shapes/SphericalHarmonics.h"
+#include "tests/solver/support/SmallMeshes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
 
 namespace vesicle::test
 {
@@ -32,11 +34,6 @@ ShapeRequest request(Kind kind, int triangles, std::optional<double> v = {})
   result.triangles = triangles;
   result.reduced_volume = v;
   return result;
-}
-
-double discrete_v(const TriangleMesh& mesh)
-{
-  return reduced_volume(flat_area(mesh), flat_volume(mesh));
 }
 
 std::string refusal(const ShapeRequest& request)
@@ -62,17 +59,11 @@ std::vector<Sample> samples()
 {
   std::vector<Sample> result;
   for (const double v : { 0.95, 0.9, 0.8, 0.7, 0.6, 0.5, 0.4 })
-  {
     result.push_back({ Kind::prolate, v });
-  }
   for (const double v : { 0.95, 0.8, 0.65, 0.5, 0.4, 0.35 })
-  {
     result.push_back({ Kind::oblate, v });
-  }
   for (const double v : { 0.95, 0.8, 0.64, 0.5 })
-  {
     result.push_back({ Kind::discocyte, v });
-  }
   return result;
 }
 
@@ -97,38 +88,9 @@ double prolate_area(double a, double c)
 }
 }
 
-TEST(GeodesicSphere, CountsRadiusAndUniformity)
-{
-  for (const int n : { 1, 2, 3, 4, 8, 16 })
-  {
-    const TriangleMesh mesh = geodesic_sphere(n);
-    EXPECT_EQ(mesh.triangles.rows(), 20 * n * n);
-    EXPECT_EQ(mesh.points.rows(), 10 * n * n + 2);
-    EXPECT_LT((mesh.points.rowwise().norm().array() - 1).abs().maxCoeff(), 1e-15);
-    EXPECT_GT(flat_volume(mesh), 0);
-    const Topology t = topology(mesh);
-    EXPECT_TRUE(t.closed && t.manifold && t.oriented && t.components == 1 && t.genus == 0);
-    // Projection shrinks the edges near the icosahedron's corners: measured ratios 1.28, 1.38, 1.43
-    // and 1.47 at n = 4, 8, 16 and 64.
-    EXPECT_LT(mesh_quality(mesh).edge_ratio, 1.45);
-  }
-  EXPECT_THROW(geodesic_sphere(0), InputError);
-}
-
-TEST(GeodesicSphere, NearestFrequency)
-{
-  EXPECT_EQ(geodesic_frequency(320), 4);
-  EXPECT_EQ(geodesic_frequency(1280), 8);
-  EXPECT_EQ(geodesic_frequency(5120), 16);
-  EXPECT_EQ(geodesic_frequency(20480), 32);
-  EXPECT_EQ(geodesic_frequency(0), 1);
-  EXPECT_EQ(geodesic_frequency(409), 4); // 320 and 500
-  EXPECT_EQ(geodesic_frequency(411), 5);
-}
-
-// Dynamics fail near 5°. Worst measured here: 18.4° (prolate, v = 0.4, 320 triangles, whose edges are
-// ten times as long as the poles' radius of curvature), otherwise at least 29.3°; edge ratio 3.4
-// (prolate, v = 0.4, 1,280), otherwise at most 3.13.
+// Dynamics fail near 5°. Worst measured here: 18.4° (prolate, v = 0.4, 320 triangles, whose edges
+// are ten times as long as the poles' radius of curvature), otherwise at least 29.3°; edge
+// ratio 3.4 (prolate, v = 0.4, 1,280), otherwise at most 3.13.
 TEST(MakeShape, QualityAndReducedVolumeOverTheWholeRange)
 {
   for (const auto& [kind, v] : samples())
@@ -138,7 +100,7 @@ TEST(MakeShape, QualityAndReducedVolumeOverTheWholeRange)
       SCOPED_TRACE(shape_name(kind) + " " + std::to_string(v) + " " + std::to_string(triangles));
       TriangleMesh mesh = make_shape(request(kind, triangles, v));
       EXPECT_EQ(mesh.triangles.rows(), triangles);
-      EXPECT_NEAR(discrete_v(mesh), v, 1e-9);
+      EXPECT_NEAR(flat_reduced_volume(mesh), v, 1e-9);
       EXPECT_NEAR(flat_volume(mesh), unit_sphere_volume, 1e-12);
       EXPECT_LT(volume_centroid(mesh).norm(), 1e-12);
       EXPECT_EQ(prepare_for_dynamics(mesh, "shape"), "");
@@ -203,7 +165,7 @@ TEST(MakeShape, SpheroidAreaConvergesWithH2)
   {
     ShapeRequest r = request(Kind::ellipsoid, triangles);
     r.semi_axes = { a, a, c };
-    error.push_back(exact - discrete_v(make_shape(r)));
+    error.push_back(exact - flat_reduced_volume(make_shape(r)));
   }
   EXPECT_NEAR(error[0] / error[1], 4, 0.1);
   EXPECT_NEAR(error[1] / error[2], 4, 0.1);
@@ -235,19 +197,17 @@ TEST(MakeShape, SphereTakesItsOwnReducedVolume)
 {
   const TriangleMesh plain = make_shape(request(Kind::sphere, 320));
   EXPECT_EQ(make_shape(request(Kind::sphere, 320, 1.0)).points, plain.points);
-  EXPECT_NO_THROW(make_shape(request(Kind::sphere, 320, discrete_v(plain))));
+  EXPECT_NO_THROW(make_shape(request(Kind::sphere, 320, flat_reduced_volume(plain))));
   EXPECT_THAT(refusal(request(Kind::sphere, 320, 0.9)), HasSubstr("choose the shape 'prolate'"));
 }
 
 TEST(MakeShape, DiscocyteIsBiconcaveAndMeasuredByDefault)
 {
   const TriangleMesh mesh = make_shape(request(Kind::discocyte, 5120));
-  EXPECT_NEAR(discrete_v(mesh), 0.644, 1e-3); // measured 0.64412 here, 0.64436 with 20,480
+  EXPECT_NEAR(flat_reduced_volume(mesh), 0.644, 1e-3); // measured 0.64412 here, 0.64436 with 20,480
   double centre = 0;
   for (const Vector3 x : mesh.points.rowwise())
-  {
     centre = std::hypot(x.x(), x.y()) < 0.05 ? std::max(centre, x.z()) : centre;
-  }
   // Thickness: 0.81 µm in the middle, 2.57 µm at most (Evans & Fung).
   EXPECT_NEAR(centre / mesh.points.col(2).maxCoeff(), 0.81 / 2.57, 0.02);
 }
@@ -257,7 +217,7 @@ TEST(MakeShape, EllipsoidKeepsItsAxesOrRaisesThem)
   ShapeRequest r = request(Kind::ellipsoid, 1280);
   r.semi_axes = { 2, 1.3, 0.8 };
   const TriangleMesh own = make_shape(r);
-  r.reduced_volume = discrete_v(own);
+  r.reduced_volume = flat_reduced_volume(own);
   EXPECT_NEAR(make_shape(r).points.col(0).maxCoeff() / own.points.col(0).maxCoeff(), 1, 1e-3);
   r.reduced_volume = 0.7;
   const Eigen::RowVector3d extents = make_shape(r).points.cwiseAbs().colwise().maxCoeff();
@@ -328,9 +288,7 @@ TEST(MakeShape, NamesGoBothWays)
 {
   for (const std::string name :
     { "sphere", "prolate", "oblate", "ellipsoid", "discocyte", "perturbed" })
-  {
     EXPECT_EQ(shape_name(shape_kind(name)), name);
-  }
   try
   {
     shape_kind("cube");

@@ -1,7 +1,6 @@
-#include "tests/solver/mesh/TestMeshes.h"
-
 #include "solver/Errors.h"
 #include "solver/mesh/shapes/SphericalHarmonics.h"
+#include "tests/solver/support/SmallMeshes.h"
 
 #include <gtest/gtest.h>
 
@@ -53,12 +52,8 @@ TEST(SphericalHarmonics, AreOrthonormal)
   {
     Eigen::VectorXd values(count);
     for (int l = 0, k = 0; l <= degree; ++l)
-    {
       for (int m = -l; m <= l; ++m)
-      {
         values[k++] = real_spherical_harmonic(l, m, direction);
-      }
-    }
     gram += weight * values * values.transpose();
   }
   EXPECT_LT((gram - Eigen::MatrixXd::Identity(count, count)).cwiseAbs().maxCoeff(), 1e-13);

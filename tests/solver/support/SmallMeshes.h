@@ -2,11 +2,10 @@
 // Small meshes with known properties and faults.
 
 #include "solver/mesh/shapes/GeodesicSphere.h"
+#include "tests/solver/support/TestMeshes.h"
 
 #include <algorithm>
-#include <cmath>
 #include <initializer_list>
-#include <numbers>
 
 namespace vesicle::test
 {
@@ -16,9 +15,7 @@ inline Triangles triangle_list(std::initializer_list<std::array<int, 3>> list)
   Triangles triangles(static_cast<int>(list.size()), 3);
   int t = 0;
   for (const auto& [a, b, c] : list)
-  {
     triangles.row(t++) << a, b, c;
-  }
   return triangles;
 }
 
@@ -30,6 +27,17 @@ inline TriangleMesh sphere(int n = 4)
 inline TriangleMesh moved(TriangleMesh mesh, const Vector3& by)
 {
   mesh.points.rowwise() += by.transpose();
+  return mesh;
+}
+
+/// The cube of side 2 about the origin, its faces cut along diagonals.
+inline TriangleMesh cube()
+{
+  TriangleMesh mesh{ Points(8, 3), Triangles(12, 3) };
+  for (int i = 0; i < 8; ++i)
+    mesh.points.row(i) << (i & 1 ? 1 : -1), (i & 2 ? 1 : -1), (i & 4 ? 1 : -1);
+  mesh.triangles = triangle_list({ { 0, 2, 3 }, { 0, 3, 1 }, { 4, 5, 7 }, { 4, 7, 6 }, { 0, 1, 5 },
+    { 0, 5, 4 }, { 2, 6, 7 }, { 2, 7, 3 }, { 0, 4, 6 }, { 0, 6, 2 }, { 1, 3, 7 }, { 1, 7, 5 } });
   return mesh;
 }
 
@@ -51,36 +59,17 @@ inline TriangleMesh bow_tie()
   TriangleMesh right = left;
   right.points = -right.points;
   for (int t = 0; t < right.triangles.rows(); ++t)
-  {
     std::swap(right.triangles(t, 1), right.triangles(t, 2));
-  }
   TriangleMesh both = together(left, moved(right, 2 * touch));
   for (int& vertex : both.triangles.reshaped())
-  {
     vertex = vertex == left.points.rows() ? 0 : vertex;
-  }
   return both;
 }
 
 /// A torus of radii 2 and 0.7 in the x–y plane.
-inline TriangleMesh torus(int around = 24, int across = 10)
+inline TriangleMesh torus()
 {
-  TriangleMesh mesh{ Points(around * across, 3), Triangles(2 * around * across, 3) };
-  const auto id = [&](int i, int j) { return i % around * across + j % across; };
-  for (int i = 0; i < around; ++i)
-  {
-    for (int j = 0; j < across; ++j)
-    {
-      const double u = 2 * std::numbers::pi * i / around;
-      const double w = 2 * std::numbers::pi * j / across;
-      const double rho = 2 + 0.7 * std::cos(w);
-      mesh.points.row(id(i, j)) << rho * std::cos(u), rho * std::sin(u), 0.7 * std::sin(w);
-      const int cell = 2 * id(i, j);
-      mesh.triangles.row(cell) << id(i, j), id(i + 1, j), id(i + 1, j + 1);
-      mesh.triangles.row(cell + 1) << id(i, j), id(i + 1, j + 1), id(i, j + 1);
-    }
-  }
-  return mesh;
+  return torus(2, 0.7, 24, 10);
 }
 
 /// The projective plane on six points (half an icosahedron with opposite points identified): closed
@@ -97,12 +86,8 @@ inline TriangleMesh without_triangles(TriangleMesh mesh, std::initializer_list<i
   Triangles kept(mesh.triangles.rows() - static_cast<int>(removed.size()), 3);
   int next = 0;
   for (int t = 0; t < mesh.triangles.rows(); ++t)
-  {
     if (std::ranges::find(removed, t) == removed.end())
-    {
       kept.row(next++) = mesh.triangles.row(t);
-    }
-  }
   mesh.triangles = kept;
   return mesh;
 }
@@ -110,15 +95,13 @@ inline TriangleMesh without_triangles(TriangleMesh mesh, std::initializer_list<i
 inline TriangleMesh turned_over(TriangleMesh mesh, int first, int last)
 {
   for (int t = first; t < last; ++t)
-  {
     std::swap(mesh.triangles(t, 1), mesh.triangles(t, 2));
-  }
   return mesh;
 }
 
 /// The same surface with its points and triangles in reverse order and each triangle begun
 /// elsewhere.
-inline TriangleMesh renumbered(const TriangleMesh& mesh)
+inline TriangleMesh in_reverse_order(const TriangleMesh& mesh)
 {
   const int last = static_cast<int>(mesh.points.rows()) - 1;
   TriangleMesh other{ mesh.points.colwise().reverse(), mesh.triangles.colwise().reverse() };
