@@ -28,7 +28,7 @@ public:
     for (int i = 0; i < mesh.points.rows(); ++i)
       valence_[i] = connectivity_.vertex_neighbours.size(i);
   }
-  /// Plans to draw a and b together, if that is possible.
+  /// Plans to merge a and b, if that is possible.
   bool collapse(int a, int b);
   void apply();
 
@@ -44,12 +44,12 @@ private:
   EditableMesh& mesh_;
   double longest_;
   Connectivity connectivity_;
-  std::vector<int> goal_; ///< the vertex that a vertex is drawn to, −1 if it stays
+  std::vector<int> goal_; ///< the vertex that a vertex is merged into, −1 if it stays
   std::vector<bool> locked_;
   std::vector<int> valence_;
 };
 
-/// The longest edge that the vertex `to` has if `from` is drawn to it.
+/// The longest edge that the vertex `to` has if `from` is merged into it.
 double Collapses::longest_after(int from, int to) const
 {
   const AdjacencyList& around = connectivity_.vertex_neighbours;

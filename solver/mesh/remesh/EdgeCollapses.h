@@ -8,7 +8,7 @@
 namespace vesicle
 {
 
-/// Draws edges shorter than `length`, the shortest first, together to one of their ends, where the
+/// Collapses edges shorter than `length`, the shortest first, into one of their ends, where the
 /// result is a manifold that faces outward without new edges longer than `longest`: edges that
 /// don't disturb each other and `most` at most, so that several calls are needed. Returns how many.
 int collapse_edges(

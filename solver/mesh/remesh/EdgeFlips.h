@@ -20,7 +20,7 @@ enum class FlipGoal
 void flip_edges(EditableMesh& mesh, FlipGoal goal);
 
 /// Flips some of the edges that are neither wanted nor in the way, so that the sum of
-/// (valence − 6)² stays: pairs of vertices with five and seven neighbours wander.
+/// (valence − 6)² stays: dislocations, pairs of neighbours with five and seven neighbours, glide.
 void glide_dislocations(EditableMesh& mesh, std::mt19937& random);
 
 }

@@ -9,7 +9,7 @@
 namespace vesicle
 {
 
-/// Cuts edges longer than `length`, the longest first, on the surface near their middle: edges
+/// Splits edges longer than `length`, the longest first, on the surface near their middle: edges
 /// without a common triangle and `most` at most, so that several calls are needed. Returns how
 /// many.
 int split_edges(EditableMesh& mesh, const CurvedSurface& surface, double length,

@@ -108,7 +108,7 @@ bool IsotropicRemeshing::reach_count()
 }
 
 /// A pair of neighbours with five and seven neighbours is a dislocation of the triangulation: it
-/// wanders until it meets an opposite one and both vanish.
+/// glides until it meets an opposite one and both annihilate.
 void IsotropicRemeshing::remove_dislocations()
 {
   std::mt19937 random(1);

@@ -1,5 +1,5 @@
 #pragma once
-// Meshes with few extraordinary vertices: a coarse mesh of the surface, its triangles cut in four.
+// Meshes with few extraordinary vertices: a coarse mesh of the surface, refined.
 
 #include "solver/mesh/remesh/SurfaceSmoother.h"
 

@@ -7,8 +7,8 @@
 namespace vesicle
 {
 
-/// The curved surface through an input's vertices, and meshes on it that are drawn smooth.
-/// Smoothing towards the neighbours draws a mesh off tips and rims sharper than its edges, and in
+/// The curved surface through an input's vertices, and the smoothing of meshes on it.
+/// Smoothing towards the neighbours pulls a mesh off tips and rims sharper than its edges, and in
 /// the end into a thin body: there vertices move to the centroids of the surface that is nearest to
 /// them instead (S. Lloyd, IEEE Trans. Inf. Theory 28 (1982) 129–137), by which all of it stays
 /// covered.

@@ -160,7 +160,7 @@ int extraordinary_vertices(const TriangleMesh& mesh)
   return static_cast<int>(std::ranges::count_if(all, [](int n) { return n != 6; }));
 }
 
-/// Points drawn along the radii onto the ellipsoid 2, 1, 1.
+/// Points projected along the radii onto the ellipsoid 2, 1, 1.
 TriangleMesh projected(TriangleMesh mesh)
 {
   for (auto x : mesh.points.rowwise())
@@ -359,7 +359,7 @@ TEST(Remesh, LosesNoBud)
   EXPECT_LT(remeshed.report.max_distance, 0.05);
 }
 
-// Vertices drawn onto the exact ellipsoid, so that the triangulation alone is judged. Measured:
+// Vertices projected onto the exact ellipsoid, so that the triangulation alone is judged. Measured:
 // 9.7e-4, 1.6e-5, 2.0e-6 (a smooth start mesh: 9.2e-4, 1.4e-5, 2.0e-6); direct meshing leaves 8e-4
 // at 1,280 and 7e-4 at 5,120.
 TEST(Remesh, BendingEnergyConverges)
