@@ -3,8 +3,6 @@
 #include "solver/mesh/MeshIntegrals.h"
 #include "solver/mesh/MeshQuality.h"
 #include "solver/mesh/Preparation.h"
-#include "solver/mesh/Topology.h"
-#include "solver/mesh/shapes/GeodesicSphere.h"
 #include "solver/mesh/shapes/ShapeRequest.h"
 #include "solver/mesh/shapes/Shapes.h"
 #include "solver/mesh/shapes/SphericalHarmonics.h"
