@@ -5,7 +5,6 @@
 #include "solver/dynamics/StartMesh.h"
 #include "solver/mesh/shapes/SphericalHarmonics.h"
 
-
 #include <Eigen/QR>
 #include <fmt/format.h>
 

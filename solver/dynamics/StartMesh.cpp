@@ -8,8 +8,6 @@
 #include "solver/mesh/MeshIntegrals.h"
 #include "solver/mesh/Preparation.h"
 #include "solver/mesh/remesh/Remesh.h"
-#include "solver/mesh/shapes/ShapeRequest.h"
-#include "solver/mesh/shapes/Shapes.h"
 
 #include <fmt/format.h>
 

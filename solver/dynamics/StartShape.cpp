@@ -1,6 +1,8 @@
 #include "solver/dynamics/StartShape.h"
 
 #include "solver/dynamics/SurfaceMeasures.h"
+#include "solver/mesh/MeshIntegrals.h"
+#include "solver/mesh/shapes/Shapes.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,8 +1,9 @@
 #pragma once
 // Start shapes by the measures of the surface that their mesh stands for.
 
+#include "solver/mesh/TriangleMesh.h"
+#include "solver/mesh/shapes/ShapeRequest.h"
 #include "solver/surface/SurfaceBasis.h"
-#include "solver/mesh/shapes/Shapes.h"
 
 namespace vesicle
 {

@@ -2,6 +2,7 @@
 
 #include "solver/dynamics/Discretization.h"
 #include "solver/membrane/Bending.h"
+#include "solver/mesh/MeshIntegrals.h"
 
 #include <cmath>
 #include <numbers>

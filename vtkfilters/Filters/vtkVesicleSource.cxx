@@ -6,6 +6,7 @@
 #include "solver/Errors.h"
 #include "solver/dynamics/StartShape.h"
 #include "solver/dynamics/SurfaceMeasures.h"
+#include "solver/mesh/MeshIntegrals.h"
 #include "solver/mesh/shapes/ShapeRequest.h"
 
 #include "vtkFieldData.h"
