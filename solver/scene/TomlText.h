@@ -1,7 +1,8 @@
 #pragma once
 // Values as TOML.
 
-#include "solver/mesh/shapes/Shapes.h"
+#include "solver/mesh/TriangleMesh.h"
+#include "solver/mesh/shapes/ShapeRequest.h"
 
 #include <array>
 #include <optional>

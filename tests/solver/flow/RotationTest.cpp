@@ -3,6 +3,7 @@
 #include "solver/flow/Rotation.h"
 
 #include "solver/dynamics/Simulation.h"
+#include "solver/mesh/shapes/Shapes.h"
 #include "solver/scene/SceneFile.h"
 #include "tests/solver/support/TestMeshes.h"
 

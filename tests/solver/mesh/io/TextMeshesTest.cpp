@@ -1,6 +1,7 @@
 #include "solver/mesh/io/TextMeshes.h"
 
 #include "solver/Errors.h"
+#include "solver/mesh/MeshIntegrals.h"
 
 #include <gtest/gtest.h>
 
