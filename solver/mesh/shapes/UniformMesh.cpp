@@ -24,8 +24,7 @@ constexpr int fine_passes = 60;
 /// The directions triangulate the sphere.
 bool covers_once(const SphereMesh& mesh)
 {
-  return std::ranges::all_of(
-    mesh.triangles.rowwise(),
+  return std::ranges::all_of(mesh.triangles.rowwise(),
     [&](const auto& t)
     {
       const Vector3 a = mesh.directions.row(t[0]), b = mesh.directions.row(t[1]),
