@@ -2,6 +2,7 @@
 
 #include "solver/Errors.h"
 #include "solver/surface/LoopBasis.h"
+#include "solver/surface/SparseLU.h"
 #include "vtkfilters/Filters/MeshConversion.h"
 
 #include "vtkCellArray.h"
@@ -10,8 +11,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-
-#include <Eigen/SparseLU>
 
 #include <algorithm>
 #include <cmath>

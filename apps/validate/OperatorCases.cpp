@@ -3,13 +3,13 @@
 #include "apps/validate/Cases.h"
 
 #include "solver/surface/LoopBasis.h"
+#include "solver/surface/SparseLU.h"
 #include "solver/mesh/shapes/Shapes.h"
 #include "solver/stokes/LayerModes.h"
 #include "solver/mesh/shapes/SampleMeshes.h"
 #include "solver/stokes/SingleLayer.h"
 
 #include <Eigen/LU>
-#include <Eigen/SparseLU>
 #include <fmt/format.h>
 
 #include <cmath>

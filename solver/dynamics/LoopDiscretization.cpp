@@ -2,11 +2,11 @@
 
 #include "solver/surface/FittedCurvature.h"
 #include "solver/surface/LoopBasis.h"
+#include "solver/surface/SparseLU.h"
 #include "solver/membrane/Bending.h"
 #include "solver/membrane/SurfaceBending.h"
 
 #include <Eigen/SparseCholesky>
-#include <Eigen/SparseLU>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>

@@ -1,8 +1,7 @@
 #include "solver/stokes/MembraneFlow.h"
 
 #include "solver/surface/LoopBasis.h"
-
-#include <Eigen/SparseLU>
+#include "solver/surface/SparseLU.h"
 
 namespace vesicle
 {
