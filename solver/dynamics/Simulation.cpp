@@ -280,16 +280,14 @@ State Simulation::step(const State& before) const
         *target == multiple(before.output, impl.scene.time.output_every))
         ++after.output;
       if (impl.settings.adaptive)
-        after.free_step =
-          wanted_step(from.next_step, from.free_step, report, impl.settings.limits);
+        after.free_step = wanted_step(from.next_step, from.free_step, report, impl.settings.limits);
       impl.plan_next_step(after);
       impl.stepper.solve(after);
       if (impl.settings.adaptive && impl.settings.integrator == Scene::Integrator::imex_euler)
       {
         // Known only now: the step after the next one follows it.
         report.error = impl.stepper.euler_error(from, after);
-        after.free_step =
-          wanted_step(from.next_step, from.free_step, report, impl.settings.limits);
+        after.free_step = wanted_step(from.next_step, from.free_step, report, impl.settings.limits);
       }
       return after;
     }

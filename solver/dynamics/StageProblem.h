@@ -3,10 +3,10 @@
 // and the bending force after a time τ, implicitly, paper (36)–(41) in the form reduced to two
 // unknowns a node.
 //
-//   u = u∞ + u_load + S_n (φ + ψ) + S_γ γ + c n      at the vertices
-//   ċ = P⁻¹ u                                         at the control points (P = I for linear
-//   elements) M ψ = τ R P⁻¹(u − U − reference),  U the velocity of the volume's centroid D ċ = 0,
-//   ∇V·u = 0
+//   u = u∞ + u_load + S_n (φ + ψ) + S_γ γ + c n   at the vertices
+//   ċ = P⁻¹ u                                     at the control points (P = I for linear elements)
+//   M ψ = τ R P⁻¹(u − U − reference)              U the velocity of the volume's centroid
+//   D ċ = 0,  ∇V·u = 0
 //
 // ψ is the change of the bending density φ by the motion, γ the tension, c the multiplier of the
 // volume row: a small uniform normal velocity, as a force for it would be singular (a pressure

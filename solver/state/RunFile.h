@@ -2,19 +2,15 @@
 // The HDF5 run file: checkpoint and scalar time series of a run.
 //   /scene           text: the scene as TOML, every setting spelled out
 //   /triangles       int32  #triangles × 3
-//   /series/<column> double, one entry an accepted step; missing values hold the dataset's
-//   attribute
+//   /series/<column> double, one entry an accepted step; missing values hold the dataset's attribute
 //                    `missing_value` (the lowest double). The group's attribute `columns` lists the
 //                    columns in order
-//   /committed       int64: how many rows of the series count. While a run is under way the
-//   datasets
+//   /committed       int64: how many rows of the series count. While a run is under way the datasets
 //                    are longer (room to come, filled with missing_value); closing the file cuts
 //                    them
 //   /state/0, /state/1   one dataset a field of State. The last accepted state is in
-//   /state/<committed
-//                    modulo 2>, the other holds an older one
-//   attributes of /  format, layout_version, vesicle_version, length_scale, time_scale,
-//   energy_scale,
+//                    /state/<committed modulo 2>, the other holds an older one
+//   attributes of /  format, layout_version, vesicle_version, length_scale, time_scale, energy_scale,
 //                    viscosity
 // All datasets are plain and contiguous, without chunks, filters or NaN.
 //

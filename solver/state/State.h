@@ -25,13 +25,13 @@ struct State
 
   Points points;   ///< #vertices by 3
   Points velocity; ///< #vertices by 3, of the fluid at the vertices
-  Points
-    node_velocity; ///< #vertices by 3, of the vertices themselves (their tangential part is free)
+  /// #vertices by 3, of the vertices themselves (their tangential part is free).
+  Points node_velocity;
   Eigen::VectorXd tension; ///< #vertices; empty without incompressibility
-  Eigen::VectorXd bending; ///< #vertices, normal bending force density as used by the dynamics;
-                           ///< empty without bending
-  Eigen::VectorXd
-    volume_speed; ///< size 1: multiplier c of the volume row; size 0 in the paper scheme
+  /// #vertices, normal bending force density as used by the dynamics; empty without bending.
+  Eigen::VectorXd bending;
+  /// Size 1: multiplier c of the volume row; size 0 in the paper scheme.
+  Eigen::VectorXd volume_speed;
 
   double target_area = 0;
   double target_volume = 0;

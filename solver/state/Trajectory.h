@@ -17,8 +17,7 @@ bool same_time(double a, double b);
 bool at_output_time(const Scene& scene, const State& state);
 /// The time, in the scene's units, that the run goes to next: the next output time or the end;
 /// empty if there is none but the steady state.
-std::optional<double> next_output_time(
-  const Scene& scene, const State& state);
+std::optional<double> next_output_time(const Scene& scene, const State& state);
 
 /// Steps are made in order and never depend on what was asked for. States at output times are kept;
 /// what lies between two of them is computed again when it is asked for.

@@ -19,7 +19,6 @@ struct XdmfFrame
 
 /// XDMF 3: a temporal collection, a grid of triangles a frame. The points are there as an array
 /// Position as well: of moving points some readers give those of the first frame only.
-std::string xdmf_text(
-  const std::string& name, const std::vector<XdmfFrame>& frames);
+std::string xdmf_text(const std::string& name, const std::vector<XdmfFrame>& frames);
 
 }

@@ -169,8 +169,8 @@ TEST_F(Resume, ACheckpointOfAnotherVersionIsRefused)
     again.push_back("--resume");
     const auto outcome = vesicle_command(folder.path(), again);
     EXPECT_EQ(outcome.code, 2);
-    EXPECT_NE(outcome.errors.find("another version of the program, with " + reason),
-      std::string::npos)
+    EXPECT_NE(
+      outcome.errors.find("another version of the program, with " + reason), std::string::npos)
       << outcome.errors;
   };
   auto other_columns = header;
