@@ -18,6 +18,8 @@ struct NamedChoice
   std::string_view name;
   Choice choice;
 };
+template<class Choice>
+NamedChoice(std::string_view, Choice) -> NamedChoice<Choice>; // clang 14 doesn't deduce it
 
 inline constexpr std::array preset_names{
   NamedChoice{ "paper", Scene::Preset::paper },

@@ -3,8 +3,9 @@
 #include <cstring>
 
 // The widest instruction set that the processor has is chosen when the program starts.
+// (Not with sanitizers: that happens before their runtimes are there.)
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) &&                             \
-  !defined(__SANITIZE_ADDRESS__)
+  !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define VESICLE_MULTIVERSION                                                                       \
   __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #else
