@@ -6,7 +6,6 @@
 #include "vtkfilters/Filters/SeriesFile.h"
 #include "solver/mesh/shapes/GeodesicSphere.h"
 
-
 #include "vtkPolyData.h"
 
 #include <gtest/gtest.h>
