@@ -1,9 +1,9 @@
 #include "apps/MeshReport.h"
 
-#include "solver/dynamics/SurfaceMeasures.h"
 #include "solver/mesh/Connectivity.h"
 #include "solver/mesh/MeshIntegrals.h"
 #include "solver/mesh/Topology.h"
+#include "solver/surface/SurfaceMeasures.h"
 #include "solver/scene/SceneNames.h"
 
 #include <fmt/format.h>

@@ -10,10 +10,10 @@
 #include "render/RenderBackend.h"
 #include "solver/Doing.h"
 #include "solver/Errors.h"
-#include "solver/dynamics/Simulation.h"
+#include "solver/simulation/Simulation.h"
 #include "solver/files/FileBytes.h"
 #include "solver/scene/SceneFile.h"
-#include "solver/state/Trajectory.h"
+#include "solver/simulation/Trajectory.h"
 #include "vtkfilters/Filters/VtkMessages.h"
 
 #include "vtkPolyData.h"
@@ -95,12 +95,13 @@ void Run::go_on()
   require_movie_color();
 
   const State& state = *stepper_->GetState();
-  const bool on_output = at_output_time(scene_, state);
+  const bool on_output = stepper_->GetSimulation()->schedule().due(state);
   first_step_ = state.step;
   resumed_ = true;
   // Whatever was written of the last moment before the run ended is written again.
   table_.emplace(folder_.table(), checkpoint_->series());
-  series_.keep(static_cast<std::size_t>(on_output ? state.output - 1 : state.output));
+  series_.keep(
+    static_cast<std::size_t>(on_output ? state.controller.output - 1 : state.controller.output));
   if (on_output || stepper_->GetFinished())
   {
     append_frame();
@@ -111,7 +112,8 @@ void Run::go_on()
 
 void Run::advance()
 {
-  update_to(next_output_time(scene_, *stepper_->GetState()).value_or(VTK_DOUBLE_MAX));
+  update_to(
+    stepper_->GetSimulation()->schedule().next(*stepper_->GetState()).value_or(VTK_DOUBLE_MAX));
   if (series_.frames().back().time != stepper_->GetStateTime())
   {
     append_frame(); // after Ctrl-C or a failure too: the last state is always there
@@ -188,10 +190,10 @@ std::string Run::outcome()
 
 RunFile Run::create_checkpoint() const
 {
-  const Simulation& simulation = *stepper_->GetSimulation();
+  Simulation& simulation = *stepper_->GetSimulation();
   RunFile::Header header;
   header.scene = write_scene(scene_);
-  header.triangles = simulation.triangles();
+  header.triangles = { simulation.triangles() };
   header.length_scale = simulation.scales().length;
   header.time_scale = simulation.scales().time();
   header.energy_scale = simulation.scales().energy;

@@ -2,7 +2,7 @@
 
 #include "solver/Errors.h"
 #include "solver/dynamics/Diagnostics.h"
-#include "solver/dynamics/Simulation.h"
+#include "solver/simulation/Simulation.h"
 #include "solver/scene/SceneFile.h"
 
 #include <fmt/format.h>
@@ -91,9 +91,9 @@ void require_same_scene(const Scene& scene, const RunFile& run, const std::files
 }
 
 void require_same_mesh(
-  const Simulation& simulation, const RunFile& run, const std::filesystem::path& file)
+  Simulation& simulation, const RunFile& run, const std::filesystem::path& file)
 {
-  if (simulation.triangles() != run.header().triangles ||
+  if (run.header().triangles != std::vector{ simulation.triangles() } ||
     simulation.scales().length != run.header().length_scale)
   {
     throw InputError(file.string() +

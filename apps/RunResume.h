@@ -18,6 +18,6 @@ void require_same_scene(const Scene& scene, const RunFile& run, const std::files
 /// Throws InputError unless the simulation has the checkpoint's mesh and size (a mesh file may have
 /// changed since).
 void require_same_mesh(
-  const Simulation& simulation, const RunFile& run, const std::filesystem::path& file);
+  Simulation& simulation, const RunFile& run, const std::filesystem::path& file);
 
 }

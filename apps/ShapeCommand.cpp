@@ -3,7 +3,7 @@
 #include "apps/Commands.h"
 #include "apps/MeshReport.h"
 
-#include "solver/dynamics/StartShape.h"
+#include "solver/surface/StartShape.h"
 #include "vtkfilters/Filters/MeshConversion.h"
 #include "vtkfilters/Filters/MeshFiles.h"
 #include "vtkfilters/Filters/SceneNumbers.h"

@@ -3,13 +3,15 @@
 #include "apps/validate/Cases.h"
 #include "apps/validate/Data.h"
 
-#include "solver/dynamics/Discretization.h"
 #include "solver/surface/Cotan.h"
 #include "solver/surface/FittedCurvature.h"
-#include "solver/membrane/Bending.h"
+#include "solver/membrane/HelfrichBending.h"
 #include "solver/mesh/remesh/Remesh.h"
-#include "solver/membrane/ExactCurvature.h"
 #include "solver/mesh/shapes/GeodesicSphere.h"
+#include "solver/mesh/shapes/Shapes.h"
+#include "solver/stokes/BendingVelocityError.h"
+#include "solver/surface/ExactCurvature.h"
+#include "solver/surface/Surface.h"
 #include "solver/mesh/shapes/SampleMeshes.h"
 #include "solver/state/Table.h"
 
@@ -49,10 +51,9 @@ Curvature curvature_of(const TriangleMesh& mesh, Scheme scheme)
     case Scheme::fit:
       return fitted_curvature(mesh).curvature;
     default:
-      return make_loop_discretization(
-        Model(), mesh.triangles, static_cast<int>(mesh.points.rows()), 3)
-        ->shape(mesh.points)
-        .curvature;
+      return vertex_curvature(Surface(
+        SurfaceSpace(SurfaceBasis::loop, mesh.triangles, static_cast<int>(mesh.points.rows())),
+        mesh.points));
   }
 }
 

@@ -5,7 +5,7 @@
 #include "apps/validate/Data.h"
 #include "apps/validate/Runs.h"
 #include "apps/validate/Stomatocyte.h"
-#include "solver/dynamics/StartMesh.h"
+#include "solver/simulation/StartMesh.h"
 
 #include "solver/state/Table.h"
 

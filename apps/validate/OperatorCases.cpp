@@ -3,11 +3,11 @@
 #include "apps/validate/Cases.h"
 
 #include "solver/surface/LoopBasis.h"
-#include "solver/surface/SparseLU.h"
 #include "solver/mesh/shapes/Shapes.h"
 #include "solver/stokes/LayerModes.h"
 #include "solver/mesh/shapes/SampleMeshes.h"
-#include "solver/stokes/SingleLayer.h"
+#include "solver/stokes/StokesOperator.h"
+#include "solver/surface/Collocation.h"
 
 #include <Eigen/LU>
 #include <fmt/format.h>
@@ -38,12 +38,7 @@ struct Layer
     }
     return f;
   }
-  Eigen::VectorXd velocity(const Eigen::VectorXd& f) const
-  {
-    Eigen::VectorXd u;
-    multiply(matrix, to_nodes(f), u);
-    return u;
-  }
+  Eigen::VectorXd velocity(const Eigen::VectorXd& f) const { return multiply(matrix, to_nodes(f)); }
   /// ∮ f dS with S f = `velocity`.
   Vector3 total_force(const Eigen::VectorXd& velocity) const
   {
@@ -60,33 +55,27 @@ private:
   void assemble_linear()
   {
     const LinearBasis basis(mesh.triangles, static_cast<int>(mesh.points.rows()));
-    const SingleLayer layer(basis, {});
-    layer.assemble(mesh.points, mesh.points, matrix);
-    share = vertex_areas(layer.table(), evaluate(layer.table(), mesh.points));
+    assemble(basis, mesh.points);
   }
   void assemble_loop()
   {
     const LoopBasis basis(mesh.triangles, static_cast<int>(mesh.points.rows()));
-    Eigen::SparseMatrix<double> P = basis.collocation();
-    P.makeCompressed();
-    fit = std::make_shared<Eigen::SparseLU<Eigen::SparseMatrix<double>>>(P);
-    const Points control = Eigen::MatrixXd(fit->solve(Eigen::MatrixXd(mesh.points)));
-    const SingleLayer layer(basis, smooth_layer_quadrature(3)); // as in the dynamics
-    layer.assemble(mesh.points, control, matrix);
-    share = vertex_areas(layer.table(), evaluate(layer.table(), control));
+    collocation = std::make_shared<Collocation>(basis);
+    assemble(basis, collocation->fit(mesh.points));
+  }
+  void assemble(const Basis& basis, const Points& control)
+  {
+    const LayerRules rules(basis, layer_quadrature(basis, 3)); // as in the dynamics
+    matrix = StokesOperator({ { &rules, mesh.points, control } }).matrix(0);
+    const BasisTable& table = rules.regular().table;
+    share = vertex_areas(table, evaluate(table, control));
   }
   Eigen::VectorXd to_nodes(const Eigen::VectorXd& f) const
   {
-    if (!fit)
-    {
-      return f;
-    }
-    const Points values = Eigen::Map<const Points>(f.data(), f.size() / 3, 3);
-    const Points nodes = Eigen::MatrixXd(fit->solve(Eigen::MatrixXd(values)));
-    return Eigen::Map<const Eigen::VectorXd>(nodes.data(), nodes.size());
+    return collocation ? collocation->to_control(f) : f;
   }
 
-  std::shared_ptr<Eigen::SparseLU<Eigen::SparseMatrix<double>>> fit;
+  std::shared_ptr<const Collocation> collocation;
 };
 
 // Errors at 1,280 triangles and order in N. A linear density limits flat elements to h²; Loop's

@@ -2,8 +2,9 @@
 
 #include "apps/validate/Cases.h"
 #include "apps/validate/Runs.h"
-#include "solver/dynamics/StartMesh.h"
+#include "solver/mesh/shapes/Shapes.h"
 #include "solver/mesh/shapes/SphericalHarmonics.h"
+#include "solver/simulation/StartMesh.h"
 
 #include <Eigen/QR>
 #include <fmt/format.h>
@@ -19,9 +20,9 @@ constexpr int highest_mode = 8;
 
 /// Amplitudes of Y_l0 in r(direction)/r0 − 1 about the centroid, by least squares over the
 /// vertices.
-Eigen::VectorXd modes_of(const Simulation& simulation, const State& state)
+Eigen::VectorXd modes_of(Simulation& simulation, const State& state)
 {
-  const Points points = state.points;
+  const Points points = state.vesicles[0].points;
   const Diagnostics d = simulation.diagnose(state);
   const Vector3 center =
     Vector3(d.centroid[0], d.centroid[1], d.centroid[2]) / simulation.scales().length;
@@ -61,7 +62,7 @@ void two_modes(Report& report)
   scene.time.end = 0.3;
   scene.time.output_every = 0.1;
   scene.time.tolerance = 1e-5;
-  const Simulation simulation(scene, make_start_mesh(scene));
+  Simulation simulation(scene, make_start_mesh(scene));
   State state = simulation.start();
   ChartSpec chart{ "Two modes of a nearly spherical vesicle", "time", "amplitude / start",
     { { "u2", {}, {} }, { "u4", {}, {} } } };

@@ -3,7 +3,7 @@
 #include "apps/Progress.h"
 
 #include "render/SceneGuides.h"
-#include "solver/dynamics/Simulation.h"
+#include "solver/simulation/Simulation.h"
 #include "solver/files/FileBytes.h"
 #include "vtkfilters/Filters/MeshConversion.h"
 
@@ -151,7 +151,7 @@ void Report::chart(const std::string& name, const std::vector<ChartSpec>& charts
   }
 }
 
-void Report::picture(const std::string& name, const Simulation& simulation, const State& state,
+void Report::picture(const std::string& name, Simulation& simulation, const State& state,
   PictureSettings settings) const
 {
   if (!draws())

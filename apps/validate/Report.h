@@ -44,7 +44,7 @@ public:
   /// Charts in one picture, DIR/<name>.png; nothing without a folder.
   void chart(const std::string& name, const std::vector<ChartSpec>& charts, int columns = 1) const;
   /// A state, coloured by an array; nothing without a folder.
-  void picture(const std::string& name, const Simulation& simulation, const State& state,
+  void picture(const std::string& name, Simulation& simulation, const State& state,
     PictureSettings settings) const;
   bool draws() const { return options_.plots.has_value(); }
 

@@ -3,7 +3,7 @@
 #include "apps/Progress.h"
 #include "apps/validate/Data.h"
 
-#include "solver/dynamics/StartMesh.h"
+#include "solver/simulation/StartMesh.h"
 #include "solver/scene/SceneFile.h"
 
 #include <unistd.h>

@@ -2,7 +2,7 @@
 // Runs of the shipped scenes.
 
 #include "render/Chart.h"
-#include "solver/state/History.h"
+#include "solver/simulation/History.h"
 
 #include <cmath>
 #include <functional>

@@ -2,7 +2,7 @@
 
 #include "apps/validate/Cases.h"
 #include "apps/validate/Runs.h"
-#include "solver/dynamics/StartMesh.h"
+#include "solver/simulation/StartMesh.h"
 
 #include <fmt/format.h>
 
@@ -45,7 +45,7 @@ Scene sphere_scene(Scene::Preset preset, int triangles)
 /// U = (2/9) Bo, γ = (Bo/3)(z − z_c) + const.
 Errors errors_of(const Scene& scene)
 {
-  const Simulation simulation(scene, make_start_mesh(scene));
+  Simulation simulation(scene, make_start_mesh(scene));
   const State state = simulation.start();
   const Eigen::VectorXd tension = simulation.fields(state).at("Tension");
   const Eigen::VectorXd z = simulation.points(state).col(2);

@@ -1,8 +1,8 @@
 #include "apps/validate/Stomatocyte.h"
 
-#include "solver/dynamics/SurfaceMeasures.h"
 #include "solver/mesh/MeshIntegrals.h"
 #include "solver/mesh/shapes/UniformMesh.h"
+#include "solver/surface/SurfaceMeasures.h"
 
 #include <algorithm>
 #include <cmath>

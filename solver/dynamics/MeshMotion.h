@@ -2,8 +2,9 @@
 // How the nodes move. Only their normal velocity is physics; along the surface a fluid membrane
 // leaves them free.
 
-#include "solver/dynamics/Discretization.h"
 #include "solver/mesh/Connectivity.h"
+#include "solver/mesh/TriangleMesh.h"
+#include "solver/surface/Surface.h"
 
 namespace vesicle
 {
@@ -11,13 +12,13 @@ namespace vesicle
 /// Node velocity w = U + n n·(u − U) + κ P_t (area-weighted mean of the neighbours − x): nodes
 /// follow the vesicle, not the lipids, and relax towards equal areas. κ = 0.2 s + 3 max|u_t|, s the
 /// scene's rate. N by 3.
-Points equidistributing_velocity(const ShapeOperators& shape, const AdjacencyList& neighbours,
-  const Points& points, const Points& velocity, double scene_rate);
+Points equidistributing_velocity(const Surface& surface, const AdjacencyList& neighbours,
+  const Points& velocity, double scene_rate);
 
 /// κ of the above; a step dt with κ dt > 1/2 would overshoot.
-double relaxation_rate(const ShapeOperators& shape, const Points& velocity, double scene_rate);
+double relaxation_rate(const Surface& surface, const Points& velocity, double scene_rate);
 
 /// Largest |u_t|: the fluid's speed along the surface, seen from the centroid.
-double tangential_speed(const ShapeOperators& shape, const Points& velocity);
+double tangential_speed(const Surface& surface, const Points& velocity);
 
 }

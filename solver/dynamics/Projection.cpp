@@ -17,13 +17,13 @@ constexpr int max_sweeps = 6;
 
 }
 
-ProjectionResult project_area_and_volume(Points& points, const Discretization& discretization,
+ProjectionResult project_area_and_volume(Points& points, const SurfaceSpace& space,
   double target_area, double target_volume, bool volume_only)
 {
   ProjectionResult result;
   for (int sweep = 0; sweep < max_sweeps; ++sweep)
   {
-    const Constraints c = discretization.constraints(points);
+    const AreaAndVolume c = area_and_volume(space, points);
     const Eigen::Vector2d error(volume_only ? 0 : target_area - c.area, target_volume - c.volume);
     if (sweep == 0)
       result = { std::abs(error[0]) / target_area, std::abs(error[1]) / target_volume };

@@ -2,7 +2,7 @@
 // What a finite time step and the motion of nodes along flat elements leave of area and volume
 // errors is taken out after the step.
 
-#include "solver/dynamics/Discretization.h"
+#include "solver/surface/Surface.h"
 
 namespace vesicle
 {
@@ -13,11 +13,11 @@ struct ProjectionResult
   double volume_removed = 0; ///< |V − V0|/V0 before
 };
 
-/// Moves the nodes along the two directions of Constraints such that area and volume have their
+/// Moves the nodes along the two directions of AreaAndVolume such that area and volume have their
 /// targets, both at once (Newton for the two numbers): shifting along n alone for the volume would
 /// spoil the area. With `volume_only` (a sphere, where the two directions coincide, or no
 /// incompressibility) α = 0.
-ProjectionResult project_area_and_volume(Points& points, const Discretization& discretization,
-  double area, double volume, bool volume_only);
+ProjectionResult project_area_and_volume(
+  Points& points, const SurfaceSpace& space, double area, double volume, bool volume_only);
 
 }

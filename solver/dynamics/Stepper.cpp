@@ -33,179 +33,292 @@ double mean_edge(const Points& points, const AdjacencyList& neighbours)
   return sum / static_cast<double>(neighbours.item.size());
 }
 
-double largest_normal(const ShapeOperators& shape, const Eigen::VectorXd& vector)
+// The largest normal displacement of a step, in the mean edges of each vesicle.
+double largest_displacement(const SystemShape& shape, const Eigen::VectorXd& displacement,
+  const std::vector<AdjacencyList>& neighbours)
 {
-  return (shape.outward.cwiseProduct(rows_of_three(vector))).rowwise().sum().cwiseAbs().maxCoeff();
+  double largest = 0;
+  for (std::size_t v = 0; v < shape.vesicles.size(); ++v)
+  {
+    const Surface& surface = *shape.vesicles[v].surface;
+    const Points own = rows_of_three(shape.part(displacement, v));
+    largest = std::max(largest,
+      surface.normals.cwiseProduct(own).rowwise().sum().cwiseAbs().maxCoeff() /
+        mean_edge(surface.vertices, neighbours[v]));
+  }
+  return largest;
+}
+
+double energy(const SystemShape& shape)
+{
+  double sum = 0;
+  for (const VesicleShape& v : shape.vesicles)
+    sum += v.vesicle->energy(*v.surface);
+  return sum;
 }
 
 }
 
-Stepper::Stepper(
-  const Model& model, const Triangles& triangles, int nodes, const StepperSettings& settings)
-  : model_(model), settings_(settings),
-    discretization_((settings.basis == Scene::Basis::loop
-        ? make_loop_discretization
-        : make_linear_discretization)(model, triangles, nodes, settings.quadrature)),
-    neighbours_(Connectivity(triangles, nodes).vertex_neighbours)
+std::vector<Points> points_of(const State& state)
 {
+  std::vector<Points> points;
+  for (const VesicleState& v : state.vesicles)
+    points.push_back(v.points);
+  return points;
 }
 
-double Stepper::scene_rate() const
+Eigen::VectorXd velocity_of(const State& state)
 {
-  const double settling = 2. / 9 * std::abs(model_.bond); // of a sphere, in r0 a time unit
-  return std::max(
-    { model_.bending ? 1. : 0., model_.flow ? model_.flow->imposed_rate() : 0., settling });
+  Eigen::Index size = 0;
+  for (const VesicleState& v : state.vesicles)
+    size += v.velocity.size();
+  Eigen::VectorXd velocity(size);
+  Eigen::Index first = 0;
+  for (const VesicleState& v : state.vesicles)
+  {
+    velocity.segment(first, v.velocity.size()) = flat(v.velocity);
+    first += v.velocity.size();
+  }
+  return velocity;
+}
+
+Eigen::VectorXd relative_to_centroids(const SystemShape& shape, const Eigen::VectorXd& velocity)
+{
+  Eigen::VectorXd relative(velocity.size());
+  for (std::size_t v = 0; v < shape.vesicles.size(); ++v)
+  {
+    const Eigen::VectorXd own = shape.part(velocity, v);
+    relative.segment(3 * shape.first[v], own.size()) =
+      shape.vesicles[v].surface->relative_to_centroid(own);
+  }
+  return relative;
+}
+
+double largest_normal(const SystemShape& shape, const Eigen::VectorXd& velocity)
+{
+  double largest = 0;
+  for (std::size_t v = 0; v < shape.vesicles.size(); ++v)
+    largest = std::max(largest,
+      shape.vesicles[v]
+        .surface->normals.cwiseProduct(rows_of_three(shape.part(velocity, v)))
+        .rowwise()
+        .sum()
+        .cwiseAbs()
+        .maxCoeff());
+  return largest;
+}
+
+Stepper::Stepper(System system, const StepperSettings& settings)
+  : system_(std::move(system)), settings_(settings)
+{
+  for (const Vesicle& vesicle : system_.vesicles)
+    neighbours_.push_back(
+      Connectivity(vesicle.space->triangles(), vesicle.space->nodes()).vertex_neighbours);
+  work_.preconditioner = std::make_unique<DensePreconditioner>();
 }
 
 double Stepper::implicit_fraction() const
 {
-  return settings_.integrator == Scene::Integrator::imex_midpoint ? sdirk_gamma : 1;
+  return settings_.integrator == Integrator::imex_midpoint ? sdirk_gamma : 1;
 }
 
-std::shared_ptr<const ShapeOperators> Stepper::shape(const Points& vertices) const
+std::shared_ptr<const SystemShape> Stepper::shape(const std::vector<Points>& points)
 {
-  if (!shape_ || shape_->vertices != vertices)
-    shape_ = std::make_shared<const ShapeOperators>(discretization_->shape(vertices));
-  return shape_;
+  if (!work_.shape || work_.shape->points != points)
+    work_.shape = std::make_shared<const SystemShape>(system_, points);
+  return work_.shape;
 }
 
-bool Stepper::only_relaxes() const
+std::shared_ptr<const SystemShape> Stepper::shape(const State& state)
 {
-  return model_.bending && model_.robust() && model_.bond == 0 && !model_.flow;
+  return shape(points_of(state));
 }
 
-double Stepper::longest_step(const State& state) const
+double Stepper::longest_step(const State& state)
 {
-  if (settings_.mesh_motion == Scene::MeshMotion::material)
+  if (settings_.mesh_motion == MeshMotion::material)
     return INFINITY;
-  const auto now = shape(state.points);
-  const double speed = tangential_speed(*now, state.velocity);
-  const double relaxation = relaxation_rate(*now, state.velocity, scene_rate());
-  return std::min(longest_relaxation / relaxation,
-    speed > 0 ? longest_passage * mean_edge(state.points, neighbours_) / speed : INFINITY);
+  const auto now = shape(state);
+  double longest = INFINITY;
+  for (std::size_t v = 0; v < state.vesicles.size(); ++v)
+  {
+    const Surface& surface = *now->vesicles[v].surface;
+    const Points& velocity = state.vesicles[v].velocity;
+    const double speed = tangential_speed(surface, velocity);
+    longest =
+      std::min(longest, longest_relaxation / relaxation_rate(surface, velocity, system_.rate()));
+    if (speed > 0)
+      longest =
+        std::min(longest, longest_passage * mean_edge(surface.vertices, neighbours_[v]) / speed);
+  }
+  return longest;
 }
 
 void Stepper::factorize(
-  const StageProblem& problem, State& state, const Points& points, double dt) const
+  const StageSystem& stage, State& state, const std::vector<Points>& points, double dt)
 {
-  factorization_.compute(problem.dense());
-  factorized_points_ = state.preconditioner_points = points;
-  factorized_step_ = state.preconditioner_step = dt;
+  work_.preconditioner->build(stage);
+  work_.made_for = { points, dt };
+  state.preconditioner = work_.made_for;
 }
 
 // After a restart the factorisation is made again where the uninterrupted run made it.
-void Stepper::restore_preconditioner(const State& state) const
+void Stepper::restore_preconditioner(const State& state)
 {
-  if (state.preconditioner_step == 0 ||
-    (factorized_step_ == state.preconditioner_step &&
-      factorized_points_ == state.preconditioner_points))
+  const PreconditionerState& wanted = state.preconditioner;
+  if (wanted.step == 0 ||
+    (work_.made_for.step == wanted.step && work_.made_for.points == wanted.points))
     return;
-  const auto there = shape(state.preconditioner_points);
-  discretization_->respond(*there, response_);
+  const auto there = shape(wanted.points);
+  const std::vector<Mobility> mobility = mobilities(*there);
   State unused;
-  factorize(StageProblem(model_, *discretization_, *there, response_,
-              implicit_fraction() * state.preconditioner_step),
-    unused, state.preconditioner_points, state.preconditioner_step);
+  factorize(StageSystem(*there, mobility, implicit_fraction() * wanted.step, {}), unused,
+    wanted.points, wanted.step);
 }
 
 Stepper::Stage Stepper::solve_stage(
-  State& state, const Points& points, double dt, const Eigen::VectorXd& reference) const
+  State& state, const std::vector<Points>& points, double dt, const Eigen::VectorXd& reference)
 {
   restore_preconditioner(state);
   Stage stage{ shape(points), {} };
-  discretization_->respond(*stage.shape, response_);
-  const StageProblem problem(
-    model_, *discretization_, *stage.shape, response_, implicit_fraction() * dt);
-  const double ratio = state.preconditioner_step > 0 ? dt / state.preconditioner_step : 0;
-  const bool fresh = !(ratio < stale_step_ratio && ratio > 1 / stale_step_ratio) ||
-    factorization_.size() != problem.unknowns();
-  if (problem.unknowns() > 0 && fresh)
-    factorize(problem, state, points, dt);
-  try
+  const std::vector<Mobility> mobility = mobilities(*stage.shape);
+  const StageSystem system(*stage.shape, mobility, implicit_fraction() * dt, reference);
+  const auto solve = [&]
   {
     stage.solution =
-      problem.solve(factorization_, settings_.linear_tolerance, max_iterations, reference);
+      system.solve(*work_.preconditioner, settings_.linear_tolerance, max_iterations);
+  };
+  const double ratio = state.preconditioner.step > 0 ? dt / state.preconditioner.step : 0;
+  const bool fresh = !(ratio < stale_step_ratio && ratio > 1 / stale_step_ratio) ||
+    work_.preconditioner->size() != system.unknowns();
+  if (system.unknowns() > 0 && fresh)
+    factorize(system, state, points, dt);
+  try
+  {
+    solve();
   }
   catch (const NumericalError&)
   {
     if (fresh)
       throw;
-    factorize(problem, state, points, dt);
-    stage.solution =
-      problem.solve(factorization_, settings_.linear_tolerance, max_iterations, reference);
+    factorize(system, state, points, dt);
+    solve();
   }
   state.iterations += stage.solution.iterations;
   if (stage.solution.iterations > stale_iterations)
-    state.preconditioner_step = 0; // the next solve makes a new one
+    state.preconditioner.step = 0; // the next solve makes a new one
   return stage;
 }
 
-Points Stepper::node_velocity(
-  const ShapeOperators& shape, const Points& points, const Points& velocity) const
+std::vector<Points> Stepper::node_velocities(const Stage& stage) const
 {
-  return settings_.mesh_motion == Scene::MeshMotion::material
-    ? velocity
-    : equidistributing_velocity(shape, neighbours_, points, velocity, scene_rate());
+  std::vector<Points> result;
+  for (std::size_t v = 0; v < stage.shape->vesicles.size(); ++v)
+  {
+    const Points velocity = rows_of_three(stage.shape->part(stage.solution.velocity, v));
+    result.push_back(settings_.mesh_motion == MeshMotion::material
+        ? velocity
+        : equidistributing_velocity(
+            *stage.shape->vesicles[v].surface, neighbours_[v], velocity, system_.rate()));
+  }
+  return result;
 }
 
-void Stepper::solve(State& state) const
+void Stepper::solve(State& state)
 {
-  const Stage stage = solve_stage(state, state.points, state.next_step, {});
-  state.velocity = rows_of_three(stage.solution.velocity);
-  state.tension = stage.solution.tension;
-  state.bending = stage.solution.bending;
-  state.volume_speed = Eigen::VectorXd::Constant(1, stage.solution.volume_speed);
-  state.node_velocity = node_velocity(*stage.shape, state.points, state.velocity);
+  const Stage stage = solve_stage(state, points_of(state), state.controller.next_step, {});
+  const std::vector<Points> node_velocity = node_velocities(stage);
+  for (std::size_t v = 0; v < state.vesicles.size(); ++v)
+  {
+    VesicleState& vesicle = state.vesicles[v];
+    const StageSolution::Part& part = stage.solution.vesicles[v];
+    vesicle.velocity = rows_of_three(stage.shape->part(stage.solution.velocity, v));
+    vesicle.node_velocity = node_velocity[v];
+    vesicle.tension = part.tension;
+    vesicle.stiff_force = part.stiff_force;
+    vesicle.volume_speed = part.volume_speed;
+  }
 }
 
-double Stepper::euler_error(const State& before, const State& after) const
+void Stepper::complete(const State& before, const State& after, StepReport& report)
 {
-  return after.last_step / 2 *
-    largest_normal(*shape(after.points), flat(after.velocity) - flat(before.velocity));
+  if (settings_.integrator == Integrator::imex_euler)
+    report.error = after.controller.last_step / 2 *
+      largest_normal(*shape(after), velocity_of(after) - velocity_of(before));
 }
 
-State Stepper::attempt(const State& before, StepReport& report) const
+State Stepper::attempt(const State& before, StepReport& report)
 {
-  const double dt = before.next_step;
+  const double dt = before.controller.next_step;
   State after = before;
   after.iterations = 0;
-  after.last_step = dt;
+  after.controller.last_step = dt;
   after.step = before.step + 1;
   report = {};
-  const auto start = shape(before.points);
-  const Eigen::VectorXd first = StageProblem::relative_to_centroid(*start, flat(before.velocity));
-  report.displacement = dt * largest_normal(*start, first) / mean_edge(before.points, neighbours_);
-
-  if (settings_.integrator == Scene::Integrator::imex_euler)
-    after.points = before.points + dt * before.node_velocity;
+  const auto start = shape(before);
+  const Eigen::VectorXd relative = relative_to_centroids(*start, velocity_of(before));
+  report.displacement = largest_displacement(*start, dt * relative, neighbours_);
+  if (settings_.integrator == Integrator::imex_midpoint)
+    advance_midpoint(before, after, *start, relative, report);
   else
-  {
-    const Points halfway = before.points + dt / 2 * before.node_velocity;
-    const Stage middle = solve_stage(after, halfway, dt, first);
-    const Points u = rows_of_three(middle.solution.velocity);
-    after.points = before.points + dt * node_velocity(*middle.shape, halfway, u);
-    report.error =
-      dt * largest_normal(*middle.shape, middle.solution.velocity - flat(before.velocity));
-  }
-  report.finite = after.points.allFinite();
-  if (!report.finite)
-    return after;
-
-  const Constraints reached = discretization_->constraints(after.points);
-  report.area_change = model_.incompressible ? std::abs(reached.area / start->area - 1) : 0;
-  report.volume_change = std::abs(reached.volume / start->volume - 1);
-  if (model_.robust() && reason_to_reject(report, settings_.limits).empty())
-  {
-    const ProjectionResult removed = project_area_and_volume(after.points, *discretization_,
-      before.target_area, before.target_volume, !model_.incompressible || start->gauge_pinned);
-    after.area_correction += removed.area_removed;
-    after.volume_correction += removed.volume_removed;
-    report.finite = after.points.allFinite();
-    if (only_relaxes())
-      report.energy_rise =
-        discretization_->bending_energy(after.points) / start->bending_energy - 1;
-  }
+    for (VesicleState& vesicle : after.vesicles)
+      vesicle.points += dt * vesicle.node_velocity;
+  restore_area_and_volume(after, *start, report);
   return after;
+}
+
+void Stepper::advance_midpoint(const State& before, State& after, const SystemShape&,
+  const Eigen::VectorXd& relative, StepReport& report)
+{
+  const double dt = before.controller.next_step;
+  std::vector<Points> halfway = points_of(before);
+  for (std::size_t v = 0; v < halfway.size(); ++v)
+    halfway[v] += dt / 2 * before.vesicles[v].node_velocity;
+  const Stage middle = solve_stage(after, halfway, dt, relative);
+  const std::vector<Points> node_velocity = node_velocities(middle);
+  for (std::size_t v = 0; v < halfway.size(); ++v)
+    after.vesicles[v].points = before.vesicles[v].points + dt * node_velocity[v];
+  report.error = dt * largest_normal(*middle.shape, middle.solution.velocity - velocity_of(before));
+}
+
+// What the step changed of each vesicle's area and volume, and that taken out unless the step is to
+// be rejected.
+void Stepper::restore_area_and_volume(State& after, const SystemShape& start, StepReport& report)
+{
+  const auto finite = [&]
+  {
+    return std::all_of(after.vesicles.begin(), after.vesicles.end(),
+      [](const VesicleState& vesicle) { return vesicle.points.allFinite(); });
+  };
+  report.finite = finite();
+  if (!report.finite)
+    return;
+  for (std::size_t v = 0; v < after.vesicles.size(); ++v)
+  {
+    const VesicleShape& before = start.vesicles[v];
+    const AreaAndVolume reached = area_and_volume(*before.vesicle->space, after.vesicles[v].points);
+    if (before.constraint)
+      report.area_change =
+        std::max(report.area_change, std::abs(reached.area / before.surface->area - 1));
+    report.volume_change =
+      std::max(report.volume_change, std::abs(reached.volume / before.surface->volume - 1));
+  }
+  if (!reason_to_reject(report, settings_.limits).empty())
+    return;
+  for (std::size_t v = 0; v < after.vesicles.size(); ++v)
+  {
+    const VesicleShape& before = start.vesicles[v];
+    if (!before.vesicle->conserved)
+      continue;
+    VesicleState& vesicle = after.vesicles[v];
+    const ProjectionResult removed = project_area_and_volume(vesicle.points, *before.vesicle->space,
+      vesicle.target_area, vesicle.target_volume, !before.constraint || before.gauge_pinned());
+    vesicle.area_correction += removed.area_removed;
+    vesicle.volume_correction += removed.volume_removed;
+  }
+  report.finite = finite();
+  if (report.finite && system_.only_relaxes())
+    report.energy_rise = energy(*shape(after)) / energy(start) - 1;
 }
 
 }

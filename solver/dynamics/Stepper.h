@@ -1,23 +1,22 @@
 #pragma once
-// One time step of a dimensionless vesicle.
+// One time step of a dimensionless system.
 
 #include "solver/dynamics/MeshMotion.h"
-#include "solver/dynamics/StageProblem.h"
+#include "solver/dynamics/Preconditioner.h"
+#include "solver/dynamics/StageSystem.h"
+#include "solver/dynamics/State.h"
 #include "solver/dynamics/StepControl.h"
+#include "solver/dynamics/Method.h"
 #include "solver/mesh/Connectivity.h"
-#include "solver/state/State.h"
 
 namespace vesicle
 {
 
 struct StepperSettings
 {
-  Scene::Basis basis = Scene::Basis::linear;
-  Scene::Integrator integrator = Scene::Integrator::imex_midpoint;
-  Scene::MeshMotion mesh_motion = Scene::MeshMotion::equidistribute;
-  int quadrature = 3;
+  Integrator integrator = Integrator::imex_midpoint;
+  MeshMotion mesh_motion = MeshMotion::equidistribute;
   double linear_tolerance = 1e-10;
-  bool adaptive = true;
   StepLimits limits;
 };
 
@@ -33,54 +32,67 @@ struct StepperSettings
 class Stepper
 {
 public:
-  Stepper(
-    const Model& model, const Triangles& triangles, int nodes, const StepperSettings& settings);
+  Stepper(System system, const StepperSettings& settings);
 
-  const Discretization& discretization() const { return *discretization_; }
-  /// The operators at a shape; those of the last shapes asked for are kept.
-  std::shared_ptr<const ShapeOperators> shape(const Points& vertices) const;
-  /// The rate that sets the pace: the largest of bending's 1, the flow's and buoyancy's.
-  double scene_rate() const;
+  const System& system() const { return system_; }
+  const StepperSettings& settings() const { return settings_; }
+  /// The system at the shapes of a state; that of the last shapes asked for is kept.
+  std::shared_ptr<const SystemShape> shape(const State& state);
   /// The longest step that mesh motion allows at this state.
-  double longest_step(const State& state) const;
+  double longest_step(const State& state);
 
-  /// Fills velocity, tension, bending, node velocity of `state` for its points and next_step.
-  void solve(State& state) const;
+  /// Fills velocities, tensions, stiff forces and node velocities of `state` for its points and its
+  /// next step.
+  void solve(State& state);
 
-  /// Error of an Euler step from `before` to `after`, known once `after` is solved: (dt/2)
-  /// max|n·Δu|.
-  double euler_error(const State& before, const State& after) const;
-
-  /// The state after an attempted step of `state.next_step`, not yet solved (velocity and forces
-  /// are the midpoint's), with what there is to say about it. NumericalError of a linear solve is
-  /// passed on.
-  State attempt(const State& state, StepReport& report) const;
+  /// The state after an attempted step of `state`'s next step, not yet solved (velocities and
+  /// forces are the midpoint's), with what there is to say about it. NumericalError of a linear
+  /// solve is passed on.
+  State attempt(const State& state, StepReport& report);
+  /// What is known of a step's error only once `after` is solved, into the report: Euler's,
+  /// (dt/2) max|n·Δu|.
+  void complete(const State& before, const State& after, StepReport& report);
 
 private:
   struct Stage
   {
-    std::shared_ptr<const ShapeOperators> shape;
+    std::shared_ptr<const SystemShape> shape;
     StageSolution solution;
   };
-  Stage solve_stage(
-    State& state, const Points& points, double dt, const Eigen::VectorXd& reference) const;
-  void factorize(const StageProblem& problem, State& state, const Points& points, double dt) const;
-  void restore_preconditioner(const State& state) const;
-  double implicit_fraction() const;
-  bool only_relaxes() const; ///< nothing but bending moves the vesicle: its energy can't rise
-  Points node_velocity(
-    const ShapeOperators& shape, const Points& points, const Points& velocity) const;
+  /// What is kept between steps and never changes a result: buffers and the factorisation that the
+  /// state's PreconditionerState stands for.
+  struct Workspace
+  {
+    std::shared_ptr<const SystemShape> shape;
+    std::unique_ptr<Preconditioner> preconditioner;
+    PreconditionerState made_for;
+  };
 
-  Model model_;
+  std::shared_ptr<const SystemShape> shape(const std::vector<Points>& points);
+  Stage solve_stage(
+    State& state, const std::vector<Points>& points, double dt, const Eigen::VectorXd& reference);
+  void factorize(
+    const StageSystem& stage, State& state, const std::vector<Points>& points, double dt);
+  void restore_preconditioner(const State& state);
+  double implicit_fraction() const;
+  std::vector<Points> node_velocities(const Stage& stage) const;
+  void advance_midpoint(const State& before, State& after, const SystemShape& start,
+    const Eigen::VectorXd& relative, StepReport& report);
+  void restore_area_and_volume(State& after, const SystemShape& start, StepReport& report);
+
+  System system_;
   StepperSettings settings_;
-  std::unique_ptr<Discretization> discretization_;
-  AdjacencyList neighbours_;
-  // Buffers and the factorisation that the state's preconditioner_points stand for.
-  mutable VelocityResponse response_;
-  mutable std::shared_ptr<const ShapeOperators> shape_;
-  mutable DenseFactorization factorization_;
-  mutable Points factorized_points_;
-  mutable double factorized_step_ = 0;
+  std::vector<AdjacencyList> neighbours_; ///< of each vesicle's vertices
+  Workspace work_;
 };
+
+/// Of all vesicles.
+std::vector<Points> points_of(const State& state);
+/// Velocities of all vertices, 3N.
+Eigen::VectorXd velocity_of(const State& state);
+/// u − U of all vertices, U the velocity of each vesicle's centroid.
+Eigen::VectorXd relative_to_centroids(const SystemShape& shape, const Eigen::VectorXd& velocity);
+/// max|n·u| over all vertices.
+double largest_normal(const SystemShape& shape, const Eigen::VectorXd& velocity);
 
 }

@@ -120,6 +120,14 @@ Handle open_group(hid_t parent, const std::string& name)
   return { H5Gopen2(parent, name.c_str(), H5P_DEFAULT), H5Gclose, "there is no " + name };
 }
 
+std::size_t member_count(hid_t group)
+{
+  H5G_info_t info;
+  if (H5Gget_info(group, &info) < 0)
+    throw IoError("can't list a group");
+  return info.nlinks;
+}
+
 Handle open_dataset(hid_t parent, const std::string& name)
 {
   return { H5Dopen2(parent, name.c_str(), H5P_DEFAULT), H5Dclose, "there is no " + name };

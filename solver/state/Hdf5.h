@@ -94,6 +94,8 @@ inline hid_t memory_type<int>()
 
 Handle create_group(hid_t parent, const std::string& name);
 Handle open_group(hid_t parent, const std::string& name);
+/// How many groups and datasets are in it.
+std::size_t member_count(hid_t group);
 Handle open_dataset(hid_t parent, const std::string& name);
 Shape shape_of(hid_t dataset, const std::string& name);
 /// What stands in a group, in alphabetical order.

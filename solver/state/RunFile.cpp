@@ -150,7 +150,7 @@ struct RunFile::Impl
 
   Impl(std::filesystem::path path, Handle handle)
     : file(std::move(path)), contents(read_contents(handle)), hdf(std::move(handle)),
-      datasets(open_datasets(hdf, contents.header.columns))
+      datasets(open_datasets(hdf, contents.header))
   {
   }
 
@@ -185,7 +185,7 @@ struct RunFile::Impl
     try
     {
       Handle handle = open_locked(part);
-      RunFileDatasets opened = open_datasets(handle, next.header.columns);
+      RunFileDatasets opened = open_datasets(handle, next.header);
       std::filesystem::rename(part, file);
       datasets = std::move(opened);
       hdf = std::move(handle);

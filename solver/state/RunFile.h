@@ -1,17 +1,18 @@
 #pragma once
 // The HDF5 run file: checkpoint and scalar time series of a run.
 //   /scene           text: the scene as TOML, every setting spelled out
-//   /triangles       int32  #triangles × 3
-//   /series/<column> double, one entry an accepted step; missing values hold the dataset's attribute
-//                    `missing_value` (the lowest double). The group's attribute `columns` lists the
-//                    columns in order
-//   /committed       int64: how many rows of the series count. While a run is under way the datasets
-//                    are longer (room to come, filled with missing_value); closing the file cuts
-//                    them
-//   /state/0, /state/1   one dataset a field of State. The last accepted state is in
-//                    /state/<committed modulo 2>, the other holds an older one
-//   attributes of /  format, layout_version, vesicle_version, length_scale, time_scale, energy_scale,
-//                    viscosity
+//   /triangles/vesicle_0   int32  #triangles × 3, and so on for each vesicle
+//   /series/<column> double, one entry an accepted step; missing values hold the dataset's
+//                    attribute `missing_value` (the lowest double). The group's attribute `columns`
+//                    lists the columns in order
+//   /committed       int64: how many rows of the series count. While a run is under way the
+//                    datasets are longer (room to come, filled with missing_value); closing the
+//                    file cuts them
+//   /state/0, /state/1
+//                    one dataset a field of State, those of a vesicle in a group vesicle_0, … The
+//                    last accepted state is in /state/<committed modulo 2>, the other is older
+//   attributes of /  format, layout_version, vesicle_version, length_scale, time_scale,
+//                    energy_scale, viscosity
 // All datasets are plain and contiguous, without chunks, filters or NaN.
 //
 // Every append leaves a file from which a run can go on, also if the program is killed in the
@@ -21,7 +22,7 @@
 // one, as <file>.part, and takes its place by a rename. So a full disk doesn't hurt what has been
 // saved either.
 
-#include "solver/state/State.h"
+#include "solver/dynamics/State.h"
 
 #include <filesystem>
 #include <memory>
@@ -38,7 +39,7 @@ public:
   struct Header
   {
     std::string scene;
-    Triangles triangles;
+    std::vector<Triangles> triangles; ///< of each vesicle
     double length_scale = 1, time_scale = 1, energy_scale = 1, viscosity = 1;
     std::vector<std::string> columns; ///< names of the scalar series, at least one, all different
   };

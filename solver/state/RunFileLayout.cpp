@@ -17,8 +17,7 @@ using hdf5::Handle;
 using hdf5::Shape;
 
 constexpr const char* format_name = "vesicle run file";
-constexpr std::int64_t layout_version =
-  1; // raise it when an older reader would misunderstand the file
+constexpr std::int64_t layout_version = 2; // raise it when a reader would misunderstand the file
 
 /// Where a number or the first of an array's numbers stands, its type and its shape.
 const std::int64_t* data_of(const std::int64_t& value)
@@ -105,9 +104,14 @@ void write_header(hid_t file, const RunFile::Header& header)
   hdf5::write_attribute(file, "energy_scale", header.energy_scale);
   hdf5::write_attribute(file, "viscosity", header.viscosity);
   hdf5::write_text(file, "scene", header.scene);
-  const Shape shape{ static_cast<hsize_t>(header.triangles.rows()), 3 };
-  const Handle triangles = hdf5::create_dataset<int>(file, "triangles", shape);
-  hdf5::write(triangles, header.triangles.data(), "triangles");
+  const Handle group = hdf5::create_group(file, "triangles");
+  for (std::size_t v = 0; v < header.triangles.size(); ++v)
+  {
+    const std::string name = vesicle_group(v);
+    const Shape shape{ static_cast<hsize_t>(header.triangles[v].rows()), 3 };
+    const Handle triangles = hdf5::create_dataset<int>(group, name, shape);
+    hdf5::write(triangles, header.triangles[v].data(), name);
+  }
 }
 
 void write_series(hid_t file, const RunFileContents& contents, std::size_t capacity)
@@ -129,6 +133,8 @@ void write_series(hid_t file, const RunFileContents& contents, std::size_t capac
 void write_slot(hid_t file, std::size_t slot, const State& state)
 {
   const Handle group = hdf5::create_group(file, slot_name(slot));
+  for (std::size_t v = 0; v < state.vesicles.size(); ++v)
+    hdf5::create_group(group, vesicle_group(v));
   for_each_field(state,
     [&](const std::string& name, const auto& field)
     {
@@ -136,6 +142,16 @@ void write_slot(hid_t file, std::size_t slot, const State& state)
       const Handle dataset = hdf5::create_dataset<Number>(group, name, shape_of_field(field));
       hdf5::write(dataset, data_of(field), name);
     });
+}
+
+void read_triangles(hid_t group, const std::string& name, Triangles& triangles)
+{
+  const Handle dataset = hdf5::open_dataset(group, name);
+  const Shape shape = hdf5::shape_of(dataset, name);
+  if (shape.size() != 2 || shape[1] != 3)
+    misshapen("triangles/" + name);
+  triangles.resize(static_cast<Eigen::Index>(shape[0]), 3);
+  hdf5::read(dataset, triangles.data(), name);
 }
 
 RunFile::Header read_header(hid_t file)
@@ -161,22 +177,26 @@ RunFile::Header read_header(hid_t file)
   header.viscosity = hdf5::read_attribute<double>(file, "viscosity");
   header.scene = hdf5::read_text(file, "scene");
 
-  const Handle triangles = hdf5::open_dataset(file, "triangles");
-  const Shape shape = hdf5::shape_of(triangles, "triangles");
-  if (shape.size() != 2 || shape[1] != 3)
-  {
-    misshapen("triangles");
-  }
-  header.triangles.resize(static_cast<Eigen::Index>(shape[0]), 3);
-  hdf5::read(triangles, header.triangles.data(), "triangles");
+  const Handle group = hdf5::open_group(file, "triangles");
+  header.triangles.resize(hdf5::member_count(group));
+  for (std::size_t v = 0; v < header.triangles.size(); ++v)
+    read_triangles(group, vesicle_group(v), header.triangles[v]);
   header.columns = hdf5::read_text_attribute(hdf5::open_group(file, "series"), "columns");
   return header;
 }
 
-State read_slot(hid_t file, std::size_t slot)
+State state_of(std::size_t vesicles)
+{
+  State state;
+  state.vesicles.resize(vesicles);
+  state.preconditioner.points.resize(vesicles);
+  return state;
+}
+
+State read_slot(hid_t file, std::size_t slot, std::size_t vesicles)
 {
   const Handle group = hdf5::open_group(file, slot_name(slot));
-  State state;
+  State state = state_of(vesicles);
   for_each_field(state,
     [&](const std::string& name, auto& field)
     {
@@ -186,11 +206,11 @@ State read_slot(hid_t file, std::size_t slot)
   return state;
 }
 
-std::vector<Handle> open_slot(hid_t file, std::size_t slot)
+std::vector<Handle> open_slot(hid_t file, std::size_t slot, std::size_t vesicles)
 {
   const Handle group = hdf5::open_group(file, slot_name(slot));
   std::vector<Handle> datasets;
-  const State any;
+  const State any = state_of(vesicles);
   for_each_field(any,
     [&](const std::string& name, const auto&)
     { datasets.push_back(hdf5::open_dataset(group, name)); });
@@ -227,12 +247,12 @@ std::vector<char> run_file_image(const RunFileContents& contents, std::size_t ca
   return hdf5::image_of(file);
 }
 
-RunFileDatasets open_datasets(hid_t file, const std::vector<std::string>& columns)
+RunFileDatasets open_datasets(hid_t file, const RunFile::Header& header)
 {
   RunFileDatasets datasets;
   datasets.committed = hdf5::open_dataset(file, "committed");
   const Handle series = hdf5::open_group(file, "series");
-  for (const auto& name : columns)
+  for (const auto& name : header.columns)
   {
     datasets.columns.push_back(hdf5::open_dataset(series, name));
     const Shape shape = hdf5::shape_of(datasets.columns.back(), name);
@@ -245,7 +265,8 @@ RunFileDatasets open_datasets(hid_t file, const std::vector<std::string>& column
   }
   if (read_committed(datasets) > 0)
   {
-    datasets.slots = { open_slot(file, 0), open_slot(file, 1) };
+    const std::size_t vesicles = header.triangles.size();
+    datasets.slots = { open_slot(file, 0, vesicles), open_slot(file, 1, vesicles) };
     for (const auto& field : datasets.slots[0])
     {
       datasets.state_shapes.push_back(hdf5::shape_of(field, "state"));
@@ -258,7 +279,7 @@ RunFileContents read_contents(hid_t file)
 {
   RunFileContents contents;
   contents.header = read_header(file);
-  const RunFileDatasets datasets = open_datasets(file, contents.header.columns);
+  const RunFileDatasets datasets = open_datasets(file, contents.header);
   const std::size_t rows = read_committed(datasets);
   for (std::size_t i = 0; i < datasets.columns.size(); ++i)
   {
@@ -269,7 +290,7 @@ RunFileContents read_contents(hid_t file)
   }
   if (rows > 0)
   {
-    contents.state = read_slot(file, rows % 2);
+    contents.state = read_slot(file, rows % 2, contents.header.triangles.size());
   }
   return contents;
 }

@@ -39,7 +39,7 @@ struct RunFileDatasets
 
 /// Throw IoError if `file` isn't a run file.
 RunFileContents read_contents(hid_t file);
-RunFileDatasets open_datasets(hid_t file, const std::vector<std::string>& columns);
+RunFileDatasets open_datasets(hid_t file, const RunFile::Header& header);
 
 /// The shapes that the fields of `state` take in the file.
 std::vector<hdf5::Shape> field_shapes(const State& state);

@@ -2,36 +2,50 @@
 // The fields of a State and their names in the run file, listed once for writing, reading and
 // checking.
 
-#include "solver/state/State.h"
+#include "solver/dynamics/State.h"
+
+#include <string>
 
 namespace vesicle
 {
 
-/// Calls visit(name, field) for every field, always in the same order. Fields are std::int64_t,
-/// double, Points or Eigen::VectorXd; const where `state` is.
+/// What belongs to a vesicle is in groups of this name.
+inline std::string vesicle_group(std::size_t vesicle)
+{
+  return "vesicle_" + std::to_string(vesicle);
+}
+
+/// Calls visit(name, field) for every field, always in the same order; a name with a '/' is in the
+/// group before it. Fields are std::int64_t, double, Points or Eigen::VectorXd; const where `state`
+/// is. The state has its vesicles already.
 template<class StateOrConst, class Visit>
 void for_each_field(StateOrConst& state, Visit&& visit)
 {
   visit("step", state.step);
   visit("time", state.time);
-  visit("last_step", state.last_step);
-  visit("next_step", state.next_step);
-  visit("free_step", state.free_step);
-  visit("output", state.output);
-  visit("points", state.points);
-  visit("velocity", state.velocity);
-  visit("node_velocity", state.node_velocity);
-  visit("tension", state.tension);
-  visit("bending", state.bending);
-  visit("volume_speed", state.volume_speed);
-  visit("target_area", state.target_area);
-  visit("target_volume", state.target_volume);
-  visit("area_correction", state.area_correction);
-  visit("volume_correction", state.volume_correction);
   visit("iterations", state.iterations);
-  visit("rejected", state.rejected);
-  visit("preconditioner_points", state.preconditioner_points);
-  visit("preconditioner_step", state.preconditioner_step);
+  visit("last_step", state.controller.last_step);
+  visit("next_step", state.controller.next_step);
+  visit("free_step", state.controller.free_step);
+  visit("output", state.controller.output);
+  visit("rejected", state.controller.rejected);
+  visit("preconditioner_step", state.preconditioner.step);
+  for (std::size_t v = 0; v < state.vesicles.size(); ++v)
+  {
+    auto& vesicle = state.vesicles[v];
+    const std::string group = vesicle_group(v) + "/";
+    visit(group + "points", vesicle.points);
+    visit(group + "velocity", vesicle.velocity);
+    visit(group + "node_velocity", vesicle.node_velocity);
+    visit(group + "tension", vesicle.tension);
+    visit(group + "stiff_force", vesicle.stiff_force);
+    visit(group + "volume_speed", vesicle.volume_speed);
+    visit(group + "target_area", vesicle.target_area);
+    visit(group + "target_volume", vesicle.target_volume);
+    visit(group + "area_correction", vesicle.area_correction);
+    visit(group + "volume_correction", vesicle.volume_correction);
+    visit(group + "preconditioner_points", state.preconditioner.points[v]);
+  }
 }
 
 }

@@ -17,7 +17,6 @@ namespace
 {
 
 constexpr int lanes = stokeslet_lanes;
-constexpr double kernel_factor = 1 / (8 * std::numbers::pi);
 // Points of the fixed rule, and the distance from a panel's centre, in its radii, from which on it
 // is used.
 constexpr int fixed_points = 12;

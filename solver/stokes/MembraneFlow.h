@@ -2,8 +2,8 @@
 // The flow that the forces of a membrane make, from what a frame of a run holds: the forces at the
 // vertices.
 
-#include "solver/scene/Scene.h"
 #include "solver/stokes/FlowField.h"
+#include "solver/surface/Surface.h"
 
 namespace vesicle
 {
@@ -22,6 +22,6 @@ struct VertexForces
 /// Linear elements: f = Σ N_k f_k. Loop: what isn't from the tension is split in its normal part
 /// p n, with n the surface's own, and the rest, both interpolated. Throws InputError if the mesh
 /// can't carry the basis.
-FlowField membrane_flow(const TriangleMesh& mesh, Scene::Basis basis, const VertexForces& forces);
+FlowField membrane_flow(const TriangleMesh& mesh, SurfaceBasis basis, const VertexForces& forces);
 
 }

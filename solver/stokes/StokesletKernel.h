@@ -1,6 +1,8 @@
 #pragma once
 // The inner loops, compiled for several instruction sets and chosen at run time.
 
+#include <numbers>
+
 namespace vesicle
 {
 
@@ -9,6 +11,8 @@ namespace vesicle
 inline constexpr int stokeslet_lanes = 8;
 /// Numbers that each node accumulates for each lane.
 inline constexpr int stokeslet_components = 6;
+/// 1/8π of the Stokeslet, μ = 1.
+inline constexpr double kernel_factor = 0.125 * std::numbers::inv_pi;
 
 /// Source points: the rows of a basis table at a shape.
 struct StokesletSources

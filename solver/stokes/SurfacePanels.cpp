@@ -76,9 +76,9 @@ Eigen::MatrixXd interpolation_matrix(const std::vector<TrianglePoint>& nodes, in
 
 }
 
-SurfacePanels::SurfacePanels(const Basis& basis, const Points& control, const Density& density)
+SurfacePanels::SurfacePanels(const Basis& basis, const Points& control, const ForceDensity& density)
 {
-  const bool smooth = dynamic_cast<const LinearBasis*>(&basis) == nullptr;
+  const bool smooth = basis.smooth();
   degree_ = smooth ? smooth_degree : 1;
   const std::vector<TrianglePoint> nodes = interpolation_nodes(degree_);
   terms_ = static_cast<int>(nodes.size());

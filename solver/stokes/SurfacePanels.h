@@ -3,9 +3,7 @@
 // a few dozen multiplications whatever the basis, so that a quadrature can be made for every single
 // target.
 
-#include "solver/surface/SurfaceIntegrals.h"
-
-#include <functional>
+#include "solver/stokes/ForceDensity.h"
 
 namespace vesicle
 {
@@ -17,10 +15,7 @@ namespace vesicle
 class SurfacePanels
 {
 public:
-  /// The force density f, a force an area, at the rows of a table: #rows by 3.
-  using Density = std::function<RowVectors(const BasisTable&, const SurfacePoints&)>;
-
-  SurfacePanels(const Basis& basis, const Points& control, const Density& density);
+  SurfacePanels(const Basis& basis, const Points& control, const ForceDensity& density);
 
   int size() const { return static_cast<int>(radius_.size()); }
   /// A sphere that holds the panel.

@@ -52,6 +52,8 @@ public:
   virtual ~Basis() = default;
   virtual int nodes() const = 0;
   virtual const Triangles& elements() const = 0;
+  /// True where there are second derivatives and the vertices' positions aren't the nodes'.
+  virtual bool smooth() const = 0;
   /// One row a point, in the order given.
   virtual BasisTable tabulate(std::span<const ParametricPoint> points) const = 0;
   /// The triangle rule on every element, element by element; elements at extraordinary vertices,
@@ -78,6 +80,7 @@ public:
   LinearBasis(Triangles triangles, int nodes);
   int nodes() const override { return nodes_; }
   const Triangles& elements() const override { return triangles_; }
+  bool smooth() const override { return false; }
   BasisTable tabulate(std::span<const ParametricPoint> points) const override;
   SparseMatrix collocation() const override;
   double radial_exponent(int) const override { return 1; }

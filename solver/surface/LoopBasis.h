@@ -18,6 +18,7 @@ public:
 
   int nodes() const override { return nodes_; }
   const Triangles& elements() const override { return triangles_; }
+  bool smooth() const override { return true; }
   /// 12 entries a row on elements whose corners all have valence six; n₀ + n₁ + n₂ − 6 in general.
   /// Second derivatives are included. Points must not be corners of extraordinary vertices.
   BasisTable tabulate(std::span<const ParametricPoint> points) const override;

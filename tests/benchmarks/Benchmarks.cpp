@@ -4,9 +4,9 @@
 //   build/release/bin/vesicle_benchmarks --benchmark_filter=Step --benchmark_repetitions=5
 #include "solver/dynamics/Blas.h"
 #include "solver/dynamics/DenseFactorization.h"
-#include "solver/dynamics/Discretization.h"
-#include "solver/dynamics/Simulation.h"
-#include "solver/dynamics/StartMesh.h"
+#include "solver/simulation/SystemOfScene.h"
+#include "solver/simulation/Simulation.h"
+#include "solver/simulation/StartMesh.h"
 #include "solver/stokes/StokesletKernel.h"
 
 #include <benchmark/benchmark.h>
@@ -75,17 +75,14 @@ Scene pear(int triangles)
 // other.
 void Assembly(benchmark::State& state, Scene::Basis basis)
 {
-  const TriangleMesh mesh = make_start_mesh(pear(static_cast<int>(state.range(0))));
-  Model model;
-  model.bending = true;
-  model.bond = 10;
-  const auto discretization =
-    (basis == Scene::Basis::loop ? make_loop_discretization : make_linear_discretization)(
-      model, mesh.triangles, static_cast<int>(mesh.points.rows()), 3);
-  const ShapeOperators shape = discretization->shape(mesh.points);
-  VelocityResponse response;
+  Scene scene = pear(static_cast<int>(state.range(0)));
+  scene.accuracy =
+    Scene::preset(basis == Scene::Basis::loop ? Scene::Preset::balanced : Scene::Preset::fast);
+  const TriangleMesh mesh = make_start_mesh(scene);
+  const System system = system_of(scene, scales_of(scene, mesh), mesh);
+  const SystemShape shape(system, { mesh.points });
   for (auto _ : state)
-    discretization->respond(shape, response);
+    benchmark::DoNotOptimize(mobilities(shape));
   state.counters["pairs/s"] = benchmark::Counter(
     3. * static_cast<double>(mesh.points.rows()) * static_cast<double>(mesh.triangles.rows()),
     benchmark::Counter::kIsIterationInvariantRate);
@@ -106,7 +103,7 @@ void Step(benchmark::State& state, Scene::Preset preset)
 {
   Scene scene = pear(static_cast<int>(state.range(0)));
   scene.accuracy = Scene::preset(preset);
-  const Simulation simulation(scene, make_start_mesh(scene));
+  Simulation simulation(scene, make_start_mesh(scene));
   State current = simulation.start();
   for (auto _ : state)
     current = simulation.step(current);
@@ -130,7 +127,7 @@ void StepWithoutBending(benchmark::State& state)
   Scene scene = pear(1280);
   scene.membrane.bending_rigidity.reset();
   scene.time.step = 0.01;
-  const Simulation simulation(scene, make_start_mesh(scene));
+  Simulation simulation(scene, make_start_mesh(scene));
   State current = simulation.start();
   for (auto _ : state)
     current = simulation.step(current);
@@ -142,7 +139,7 @@ void StepWithoutTension(benchmark::State& state)
   Scene scene = pear(1280);
   scene.membrane.incompressible = false;
   scene.time.step = 0.001;
-  const Simulation simulation(scene, make_start_mesh(scene));
+  Simulation simulation(scene, make_start_mesh(scene));
   State current = simulation.start();
   for (auto _ : state)
     current = simulation.step(current);

@@ -5,7 +5,7 @@
 #include "vtkfilters/Filters/MeshConversion.h"
 #include "vtkfilters/Filters/VtkMessages.h"
 
-#include "solver/dynamics/Simulation.h"
+#include "solver/simulation/Simulation.h"
 #include "solver/files/FileBytes.h"
 #include "solver/scene/SceneFile.h"
 

@@ -3,14 +3,14 @@
 #include "MeshConversion.h"
 
 #include "solver/Errors.h"
-#include "solver/dynamics/Discretization.h"
 #include "solver/surface/Cotan.h"
 #include "solver/surface/FittedCurvature.h"
-#include "solver/membrane/Bending.h"
+#include "solver/membrane/HelfrichBending.h"
 #include "solver/mesh/Connectivity.h"
 #include "solver/mesh/MeshIntegrals.h"
 #include "solver/mesh/Preparation.h"
 #include "solver/mesh/Topology.h"
+#include "solver/surface/Surface.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
@@ -100,10 +100,9 @@ constexpr const char* scheme_names[] = { "fit", "cotan", "loop" };
 
 vesicle::Curvature loop_curvature(const TriangleMesh& mesh)
 {
-  vesicle::Model model;
-  const auto surface = vesicle::make_loop_discretization(
-    model, mesh.triangles, static_cast<int>(mesh.points.rows()), 3);
-  return surface->shape(mesh.points).curvature;
+  const vesicle::SurfaceSpace space(
+    vesicle::SurfaceBasis::loop, mesh.triangles, static_cast<int>(mesh.points.rows()));
+  return vesicle::vertex_curvature(vesicle::Surface(space, mesh.points));
 }
 
 /// By the scheme's name; the fit adds its own arrays.

@@ -4,8 +4,8 @@
 #include "SceneNumbers.h"
 
 #include "solver/Errors.h"
-#include "solver/dynamics/Simulation.h"
 #include "solver/mesh/Preparation.h"
+#include "solver/simulation/Simulation.h"
 
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -20,7 +20,7 @@ namespace
 
 using vesicle::Simulation;
 
-void solve(const vesicle::Scene& scene, const Simulation& simulation, vtkPolyData* output)
+void solve(const vesicle::Scene& scene, Simulation& simulation, vtkPolyData* output)
 {
   const vesicle::State state = simulation.instant();
   vesicle::use_double_points(output);
@@ -59,7 +59,7 @@ int vtkVesicleForceFilter::RequestData(
     }
     vesicle::TriangleMesh mesh = vesicle::to_mesh(output);
     const std::string changes = vesicle::prepare_for_dynamics(mesh, "input");
-    const Simulation simulation(scene, std::move(mesh), changes);
+    Simulation simulation(scene, std::move(mesh), changes);
     if (!simulation.notes().empty())
     {
       vtkWarningMacro(<< simulation.notes());

@@ -4,10 +4,10 @@
 #include "SceneNumbers.h"
 
 #include "solver/Errors.h"
-#include "solver/dynamics/StartShape.h"
-#include "solver/dynamics/SurfaceMeasures.h"
 #include "solver/mesh/MeshIntegrals.h"
 #include "solver/mesh/shapes/ShapeRequest.h"
+#include "solver/surface/StartShape.h"
+#include "solver/surface/SurfaceMeasures.h"
 
 #include "vtkFieldData.h"
 #include "vtkInformation.h"

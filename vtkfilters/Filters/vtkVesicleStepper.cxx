@@ -6,10 +6,11 @@
 
 #include "solver/Doing.h"
 #include "solver/Errors.h"
-#include "solver/dynamics/Simulation.h"
-#include "solver/dynamics/StartMesh.h"
+#include "solver/simulation/Simulation.h"
+#include "solver/simulation/StartMesh.h"
+#include "solver/simulation/SystemOfScene.h"
 #include "solver/scene/SceneFile.h"
-#include "solver/state/Trajectory.h"
+#include "solver/simulation/Trajectory.h"
 
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -48,7 +49,7 @@ double share(const Moment& moment)
     : 0;
 }
 
-Fields fields_at(const Simulation& simulation, const Moment& moment)
+Fields fields_at(Simulation& simulation, const Moment& moment)
 {
   Fields fields = simulation.fields(*moment.before);
   if (moment.after)
@@ -63,7 +64,7 @@ Fields fields_at(const Simulation& simulation, const Moment& moment)
   return fields;
 }
 
-vesicle::Points points_at(const Simulation& simulation, const Moment& moment)
+vesicle::Points points_at(Simulation& simulation, const Moment& moment)
 {
   return moment.after ? simulation.points_between(*moment.before, *moment.after, moment.time)
                       : simulation.points(*moment.before);
@@ -75,27 +76,6 @@ std::vector<std::pair<const char*, double>> numbers_of(const Diagnostics& d)
   return { { "Area", d.area }, { "Volume", d.volume }, { "Reduced_Volume", d.reduced_volume },
     { "Bending_Energy", d.bending_energy }, { "Area_Drift", d.area_drift },
     { "Volume_Drift", d.volume_drift } };
-}
-
-/// Every multiple of output_every from `from` to the end, and the end.
-std::vector<double> output_times(double from, double every, double end)
-{
-  std::vector<double> times{ from };
-  if (every > 0)
-  {
-    for (double k = std::floor(from / every) + 1; k * every < end; ++k)
-    {
-      if (!vesicle::same_time(k * every, end) && !vesicle::same_time(k * every, from))
-      {
-        times.push_back(k * every);
-      }
-    }
-  }
-  if (end > from)
-  {
-    times.push_back(end);
-  }
-  return times;
 }
 
 }
@@ -300,7 +280,7 @@ void vtkVesicleStepper::SetState(const State& state)
   this->SettingsChanged();
 }
 
-const Simulation* vtkVesicleStepper::GetSimulation() const
+Simulation* vtkVesicleStepper::GetSimulation()
 {
   return this->Internal->Path ? this->Internal->Sim.get() : nullptr;
 }
@@ -468,7 +448,7 @@ int vtkVesicleStepper::RequestInformation(
   info->Set(Pipeline::TIME_RANGE(), range, 2);
   if (end)
   {
-    const auto times = output_times(start, time.output_every, *end);
+    const auto times = vesicle::schedule_of(this->Internal->CurrentScene).between(start, *end);
     info->Set(Pipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
   }
   else

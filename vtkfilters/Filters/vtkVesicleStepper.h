@@ -175,7 +175,7 @@ public:
   void SetState(const vesicle::State& state);
 
   /// The simulation and its last accepted state, for observers; nullptr before the first update.
-  const vesicle::Simulation* GetSimulation() const;
+  vesicle::Simulation* GetSimulation();
   const vesicle::State* GetState() const;
   /// Of the last accepted state; there must be one.
   const vesicle::Diagnostics& GetDiagnostics() const;

@@ -13,7 +13,7 @@ def check(name, item):
 
 with h5py.File("pear/pear.h5", "r") as run:
     run.visititems(check)
-    assert run["triangles"].shape == (common.triangles, 3)
+    assert run["triangles/vesicle_0"].shape == (common.triangles, 3)
     assert run["committed"][()] == len(rows)
     assert run.attrs["length_scale"] > 0
     columns = [name.decode() for name in run["series"].attrs["columns"]]

@@ -1,8 +1,8 @@
 // The paper's Fig. 4: a sphere with an inextensible membrane rises as a rigid one, U = 2/9 Bo, with
 // the tension γ = (Bo/3)(z − z_c) + const, in both formulations.
-#include "solver/dynamics/Simulation.h"
 #include "solver/mesh/shapes/ShapeRequest.h"
 #include "solver/mesh/shapes/Shapes.h"
+#include "solver/simulation/Simulation.h"
 #include "tests/solver/support/TestMeshes.h"
 
 #include <gtest/gtest.h>
@@ -27,12 +27,13 @@ Errors solve(Scene::Preset preset, int n)
   scene.time.end = 1;
   scene.accuracy = Scene::preset(preset);
   TriangleMesh sphere = make_shape({ ShapeRequest::Kind::sphere, 20 * n * n, {}, {}, {}, {} });
-  const Simulation simulation(scene, std::move(sphere));
+  Simulation simulation(scene, std::move(sphere));
   const State state = simulation.start();
   const Diagnostics d = simulation.diagnose(state);
-  const Eigen::VectorXd z = state.points.col(2);
+  const Eigen::VectorXd z = state.vesicles[0].points.col(2);
   const Eigen::VectorXd exact = z.array() - z.mean();
-  const Eigen::VectorXd tension = state.tension.array() - state.tension.mean();
+  const Eigen::VectorXd tension =
+    state.vesicles[0].tension.array() - state.vesicles[0].tension.mean();
   return { std::abs(d.velocity[2] / (2. / 3) - 1), (tension - exact).norm() / exact.norm(),
     d.divergence };
 }

@@ -1,5 +1,5 @@
 // What is reported of a state, against what is known of it.
-#include "solver/dynamics/Simulation.h"
+#include "solver/simulation/Simulation.h"
 #include "solver/flow/Extension.h"
 #include "solver/flow/Shear.h"
 #include "solver/mesh/shapes/ShapeRequest.h"
@@ -31,15 +31,16 @@ protected:
   }
   static Diagnostics at_start(const Scene& scene, const TriangleMesh& mesh)
   {
-    const Simulation simulation(scene, mesh);
+    Simulation simulation(scene, mesh);
     return simulation.diagnose(simulation.start());
   }
 };
 
 // A sphere whose membrane is inextensible, at first sight of a strain E = diag(−½, −½, 1) k and
 // without a tension on average: on the unit sphere, s = n·E·n, the tension μ g s makes the velocity
-// (3g/35) ∇_s s − (2g/35) s n (vector harmonics, numbers of SingleLayerTest), the flow is ½ ∇_s s +
-// s n, and ∇_s·u = 0 asks for normal = 3 tangential: g = −35/22, S = −∮ γ n n = (28/33) π μ a³ E.
+// (3g/35) ∇_s s − (2g/35) s n (vector harmonics, numbers of StokesOperatorTest), the flow is ½ ∇_s
+// s + s n, and ∇_s·u = 0 asks for normal = 3 tangential: g = −35/22, S = −∮ γ n n = (28/33) π μ a³
+// E.
 TEST_P(Reported, StressletOfASphereInStrain)
 {
   const double a = 1e-5, mu = 1e-3, rate = 4;

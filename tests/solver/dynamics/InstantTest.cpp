@@ -1,5 +1,5 @@
 // The instantaneous solve, and the flow around the vesicle from what it gives at the vertices.
-#include "solver/dynamics/Simulation.h"
+#include "solver/simulation/Simulation.h"
 #include "solver/flow/Poiseuille.h"
 #include "solver/flow/Shear.h"
 #include "solver/mesh/shapes/ShapeRequest.h"
@@ -34,7 +34,7 @@ Scene scene(Scene::Preset preset)
   return s;
 }
 
-Points flow_at(const Simulation& simulation, const State& state, const Points& points)
+Points flow_at(Simulation& simulation, const State& state, const Points& points)
 {
   const auto fields = simulation.fields(state);
   VertexForces forces{ fields.at("Membrane_Force"), {}, {} };
@@ -68,9 +68,9 @@ TEST_P(Instant, IsTheStartOverAVanishingStep)
   for (int level = 0; level < 2; ++level)
   {
     s.time.step = level == 0 ? 1e-4 : 1e-6;
-    const Simulation simulation(s, shape(ShapeRequest::Kind::prolate, 320, 0.9));
-    const Points instant = simulation.instant().velocity;
-    difference[level] = (simulation.start().velocity - instant).norm() / instant.norm();
+    Simulation simulation(s, shape(ShapeRequest::Kind::prolate, 320, 0.9));
+    const Points instant = simulation.instant().vesicles[0].velocity;
+    difference[level] = (simulation.start().vesicles[0].velocity - instant).norm() / instant.norm();
   }
   EXPECT_LT(difference[1], 1e-4);
   EXPECT_LT(difference[1], difference[0] / 20);
@@ -87,8 +87,7 @@ TEST_P(Instant, ForcesMakeTheVelocityOfTheMembrane)
     s.fluid.viscosity = 3;
     s.flow = std::make_shared<Poiseuille>(4, 3, Vector3::UnitX(), Vector3(0, 0.3, -0.4));
     s.gravity = { {}, 4, 2 };
-    const Simulation simulation(
-      s, shape(ShapeRequest::Kind::prolate, level == 0 ? 320 : 1280, 0.9));
+    Simulation simulation(s, shape(ShapeRequest::Kind::prolate, level == 0 ? 320 : 1280, 0.9));
     const State state = simulation.instant();
     const Points velocity = simulation.fields(state).at("Velocity");
     const Points probed = flow_at(simulation, state, simulation.points(state));
@@ -110,7 +109,7 @@ double error_of_rising_sphere(Scene::Preset preset, int triangles)
 {
   Scene s = scene(preset);
   s.gravity.emplace().bond_number = 4.5;
-  const Simulation simulation(s, shape(ShapeRequest::Kind::sphere, triangles, {}));
+  Simulation simulation(s, shape(ShapeRequest::Kind::sphere, triangles, {}));
   Points points(6, 3);
   points << 0, 0, 0, 0.3, 0.2, -0.5, 0, 0.9, 0, 0.6, 0, 0.9, 0, 0, 2, 2, -1, 1;
   const Points velocity = flow_at(simulation, simulation.instant(), points);

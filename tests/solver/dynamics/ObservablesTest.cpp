@@ -1,4 +1,6 @@
 #include "solver/dynamics/Observables.h"
+#include "solver/dynamics/ForceBasis.h"
+#include "solver/membrane/HelfrichBending.h"
 #include "solver/mesh/shapes/GeodesicSphere.h"
 #include "solver/mesh/shapes/SphericalHarmonics.h"
 #include "tests/solver/dynamics/SurfaceCase.h"
@@ -15,7 +17,6 @@ namespace
 
 using test::mapped;
 using test::SurfaceCase;
-using Basis = Scene::Basis;
 
 TriangleMesh turned_ellipsoid(double degrees)
 {
@@ -26,7 +27,7 @@ TriangleMesh turned_ellipsoid(double degrees)
     { return turn * Vector3(1.5 * d.x(), 1.1 * d.y(), 0.8 * d.z()); });
 }
 
-InertiaEllipsoid ellipsoid_of(const TriangleMesh& mesh, Basis basis = Basis::linear)
+InertiaEllipsoid ellipsoid_of(const TriangleMesh& mesh, SurfaceBasis basis = SurfaceBasis::linear)
 {
   const SurfaceCase c(mesh, basis);
   return inertia_ellipsoid(c.surface, c.shape.center);
@@ -49,7 +50,7 @@ TEST(Observables, SemiAxesOfALoopSurfaceConvergeWithItsOrder)
       [](const Vector3& d) -> Vector3 {
         return { 1.5 * d.x(), 1.1 * d.y(), 0.8 * d.z() };
       });
-    return std::abs(ellipsoid_of(mesh, Basis::loop).semi_axes[0] - 1.5);
+    return std::abs(ellipsoid_of(mesh, SurfaceBasis::loop).semi_axes[0] - 1.5);
   };
   const double coarse = error(320), fine = error(1280);
   EXPECT_LT(fine, 1e-4);
@@ -90,7 +91,7 @@ TEST(Observables, TankTreadingFrequencyOfARotation)
 TEST(Observables, TankTreadingFrequencyOfAnEllipsoid)
 {
   const double a = 1.5, c = 0.7, omega = 0.4;
-  const auto error = [&](int triangles, Basis basis)
+  const auto error = [&](int triangles, SurfaceBasis basis)
   {
     const TriangleMesh mesh = mapped(test::smooth_sphere(triangles),
       [&](const Vector3& d) -> Vector3 {
@@ -100,13 +101,13 @@ TEST(Observables, TankTreadingFrequencyOfAnEllipsoid)
     u.col(0) = omega * a / c * mesh.points.col(2);
     u.col(2) = -omega * c / a * mesh.points.col(0);
     const SurfaceCase surface(mesh, basis);
-    const FlatSample sample = surface.discretization->sample_around(0, surface.shape, u);
+    const FlatSample sample = FlatPieces(surface.space).around(0, surface.shape, u);
     return std::abs(
       tank_treading_frequency(sample.mesh, sample.field, Vector3::Zero(), Vector3::Zero()) / omega -
       1);
   };
   for (const auto& [basis, tolerance] :
-    { std::pair(Basis::linear, 5e-3), std::pair(Basis::loop, 3e-4) })
+    { std::pair(SurfaceBasis::linear, 5e-3), std::pair(SurfaceBasis::loop, 3e-4) })
   {
     const double coarse = error(320, basis), fine = error(1280, basis);
     EXPECT_LT(fine, tolerance);
@@ -125,7 +126,7 @@ TEST(Observables, NoFrequencyWhereTheFlowDoesNotGoAround)
   EXPECT_EQ(tank_treading_frequency(sphere, strain, Vector3::Zero(), Vector3::Zero()), 0);
 }
 
-class Harmonics : public testing::TestWithParam<Basis>
+class Harmonics : public testing::TestWithParam<SurfaceBasis>
 {
 protected:
   static constexpr int degree = 8;
@@ -167,7 +168,7 @@ TEST_P(Harmonics, ComeBackWithTheOrderOfTheSurface)
   const auto error = [&](int triangles)
   { return (amplitudes(lumpy(triangles)) - exact).cwiseAbs().maxCoeff(); };
   const double coarse = error(1280), fine = error(5120);
-  const bool flat = GetParam() == Basis::linear;
+  const bool flat = GetParam() == SurfaceBasis::linear;
   EXPECT_LT(fine, flat ? 1e-2 : 1e-4);
   EXPECT_GT(test::order(coarse, fine), flat ? 1.9 : 3) << coarse << ", " << fine;
 }
@@ -207,7 +208,7 @@ TEST_P(Harmonics, NoneWhereTheShapeIsNotStarShaped)
   EXPECT_FALSE(harmonic_amplitudes(c.surface, c.shape.center, degree));
 }
 
-class Stresslet : public testing::TestWithParam<Basis>
+class Stresslet : public testing::TestWithParam<SurfaceBasis>
 {
 protected:
   const Eigen::VectorXd no_tension;
@@ -236,7 +237,7 @@ TEST_P(Stresslet, OfARigidSphereInStrain)
     return (S / exact - strain()).norm();
   };
   const double coarse = error(320), fine = error(1280);
-  const bool flat = GetParam() == Basis::linear;
+  const bool flat = GetParam() == SurfaceBasis::linear;
   EXPECT_LT(fine, flat ? 2e-2 : 2e-5);
   EXPECT_GT(test::order(coarse, fine), flat ? 1.9 : 3.5) << coarse << ", " << fine;
 }
@@ -247,7 +248,7 @@ TEST_P(Stresslet, APressureHasNone)
   const SurfaceCase c(mesh, GetParam());
   const RowVectors normal = c.surface.cross.rowwise().normalized();
   EXPECT_LT(stresslet(c.surface, c.shape.center, normal, no_tension).norm(),
-    GetParam() == Basis::linear ? 1e-12 : 1e-6);
+    GetParam() == SurfaceBasis::linear ? 1e-12 : 1e-6);
 }
 
 // On the unit sphere with γ = g·x + x·A·x: the force ∇_s γ − 2 γ n, and the tension's virtual work.
@@ -272,7 +273,7 @@ TEST_P(Stresslet, OfATensionIsThatOfItsForce)
     return (by_work - stresslet(c.surface, c.shape.center, force, no_tension)).norm();
   };
   const double coarse = difference(320), fine = difference(1280);
-  const bool flat = GetParam() == Basis::linear;
+  const bool flat = GetParam() == SurfaceBasis::linear;
   EXPECT_LT(fine, flat ? 3e-2 : 1e-4);
   EXPECT_GT(test::order(coarse, fine), flat ? 1.9 : 3.5) << coarse << ", " << fine;
 }
@@ -287,16 +288,14 @@ TEST_P(Stresslet, OfBendingIsTheEnergysDerivativeByStrain)
       [](const Vector3& d) -> Vector3 {
         return { 1.4 * d.x() + 0.3 * d.z(), 1.1 * d.y(), 0.8 * d.z() };
       });
-    Model model;
-    model.bending = true;
-    model.incompressible = false;
-    const SurfaceCase c(mesh, GetParam(), model);
+    const SurfaceCase c(mesh, GetParam());
+    const auto bending = make_bending(c.space, 0);
     const RowVectors force =
-      c.at_rows(rows_of_three(c.discretization->bending_force(c.shape, c.shape.bending)));
+      c.at_rows(make_force_basis(c.shape, nullptr)->at_vertices(bending->force(c.shape).density));
     const auto energy = [&](double epsilon)
     {
-      return c.discretization->bending_energy(
-        mesh.points * (Eigen::Matrix3d::Identity() + epsilon * strain()));
+      return bending->energy(
+        Surface(c.space, mesh.points * (Eigen::Matrix3d::Identity() + epsilon * strain())));
     };
     const double epsilon = 1e-4, slope = (energy(epsilon) - energy(-epsilon)) / (2 * epsilon);
     const Eigen::Matrix3d S = stresslet(c.surface, c.shape.center, force, no_tension);
@@ -305,12 +304,14 @@ TEST_P(Stresslet, OfBendingIsTheEnergysDerivativeByStrain)
   // Measured with Loop's surface: 3.6e-4, 2.4e-5 (a change of sign), 2.7e-4, 8.3e-5, 2.0e-5 at 320,
   // 500, 1,280, 5,120, 20,480 triangles; with linear elements 1.6e-3 and 3.6e-4.
   const double coarse = error(1280), fine = error(5120);
-  EXPECT_LT(fine, GetParam() == Basis::linear ? 5e-4 : 1.2e-4);
+  EXPECT_LT(fine, GetParam() == SurfaceBasis::linear ? 5e-4 : 1.2e-4);
   EXPECT_GT(test::order(coarse, fine), 1.5) << coarse << ", " << fine;
 }
 
-INSTANTIATE_TEST_SUITE_P(Bases, Harmonics, testing::Values(Basis::linear, Basis::loop));
-INSTANTIATE_TEST_SUITE_P(Bases, Stresslet, testing::Values(Basis::linear, Basis::loop));
+INSTANTIATE_TEST_SUITE_P(
+  Bases, Harmonics, testing::Values(SurfaceBasis::linear, SurfaceBasis::loop));
+INSTANTIATE_TEST_SUITE_P(
+  Bases, Stresslet, testing::Values(SurfaceBasis::linear, SurfaceBasis::loop));
 
 }
 }

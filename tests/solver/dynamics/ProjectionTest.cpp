@@ -13,12 +13,12 @@ namespace
 TEST(Projection, MeetsAreaAndVolumeAtOnceAndReportsWhatItRemoved)
 {
   const TriangleMesh mesh = test::mapped(test::jittered_sphere(4, 0.2), test::ellipsoid_2_1_1);
-  const auto linear =
-    make_linear_discretization(Model(), mesh.triangles, static_cast<int>(mesh.points.rows()), 3);
+  const SurfaceSpace linear(
+    SurfaceBasis::linear, mesh.triangles, static_cast<int>(mesh.points.rows()));
   const double A = flat_area(mesh), V = flat_volume(mesh);
   Points points = mesh.points;
   const ProjectionResult removed =
-    project_area_and_volume(points, *linear, 1.001 * A, 0.9995 * V, false);
+    project_area_and_volume(points, linear, 1.001 * A, 0.9995 * V, false);
   EXPECT_NEAR(removed.area_removed, 0.001 / 1.001, 1e-12);
   EXPECT_NEAR(removed.volume_removed, 0.0005 / 0.9995, 1e-12);
   EXPECT_NEAR(flat_area({ points, mesh.triangles }) / A, 1.001, 1e-12);
@@ -28,12 +28,11 @@ TEST(Projection, MeetsAreaAndVolumeAtOnceAndReportsWhatItRemoved)
 TEST(Projection, OnALimitSurface)
 {
   const TriangleMesh mesh = test::mapped(test::smooth_sphere(320), test::ellipsoid_2_1_1);
-  const auto loop =
-    make_loop_discretization(Model(), mesh.triangles, static_cast<int>(mesh.points.rows()), 3);
-  const Constraints before = loop->constraints(mesh.points);
+  const SurfaceSpace loop(SurfaceBasis::loop, mesh.triangles, static_cast<int>(mesh.points.rows()));
+  const AreaAndVolume before = area_and_volume(loop, mesh.points);
   Points points = mesh.points;
-  project_area_and_volume(points, *loop, 1.001 * before.area, 0.9995 * before.volume, false);
-  const Constraints after = loop->constraints(points);
+  project_area_and_volume(points, loop, 1.001 * before.area, 0.9995 * before.volume, false);
+  const AreaAndVolume after = area_and_volume(loop, points);
   EXPECT_NEAR(after.area / before.area, 1.001, 1e-12);
   EXPECT_NEAR(after.volume / before.volume, 0.9995, 1e-12);
 }
@@ -41,10 +40,10 @@ TEST(Projection, OnALimitSurface)
 TEST(Projection, OnASphereOnlyTheVolumeIsSet)
 {
   const TriangleMesh mesh = geodesic_sphere(4);
-  const auto linear =
-    make_linear_discretization(Model(), mesh.triangles, static_cast<int>(mesh.points.rows()), 3);
+  const SurfaceSpace linear(
+    SurfaceBasis::linear, mesh.triangles, static_cast<int>(mesh.points.rows()));
   Points points = mesh.points;
-  project_area_and_volume(points, *linear, 0, 1.01 * flat_volume(mesh), true);
+  project_area_and_volume(points, linear, 0, 1.01 * flat_volume(mesh), true);
   EXPECT_NEAR(flat_volume({ points, mesh.triangles }) / flat_volume(mesh), 1.01, 1e-12);
 }
 

@@ -1,7 +1,7 @@
 // Whole runs against published and independently computed values.
-#include "solver/dynamics/StartMesh.h"
+#include "solver/simulation/StartMesh.h"
 #include "solver/scene/SceneFile.h"
-#include "solver/state/History.h"
+#include "solver/simulation/History.h"
 #include "tests/solver/support/TestMeshes.h"
 
 #include <gtest/gtest.h>
@@ -123,8 +123,9 @@ TEST(Pear, TheSameFarUp)
     std::vector<std::string> far = small;
     far.push_back("vesicle.center=[0, 0, 1000]");
     const History here = run("pear", small), there = run("pear", far);
-    const auto centred = [](const History& run) -> Points
-    { return run.last.points.rowwise() - run.last.points.colwise().mean(); };
+    const auto centred = [](const History& run) -> Points {
+      return run.last.vesicles[0].points.rowwise() - run.last.vesicles[0].points.colwise().mean();
+    };
     EXPECT_LT((centred(here) - centred(there)).cwiseAbs().maxCoeff(), 1e-6) << preset;
   }
 }
@@ -305,7 +306,8 @@ TEST(Integrator, IsOfSecondOrder)
       shape[i] = vesicle::run("pear",
         { preset, "vesicle.triangles=320", "vesicle.reduced_volume=0.9", "gravity.bond_number=20",
           "time.end=0.4", "time.output_every=0.4", "time.step=" + std::to_string(dt) })
-                   .last.points;
+                   .last.vesicles[0]
+                   .points;
     }
     const double e0 = (shape[0] - shape[1]).norm(), e1 = (shape[1] - shape[2]).norm(),
                  e2 = (shape[2] - shape[3]).norm();

@@ -2,8 +2,8 @@
 
 #include "solver/flow/Rotation.h"
 
-#include "solver/dynamics/Simulation.h"
 #include "solver/mesh/shapes/Shapes.h"
+#include "solver/simulation/Simulation.h"
 #include "solver/scene/SceneFile.h"
 #include "tests/solver/support/TestMeshes.h"
 
@@ -62,7 +62,7 @@ End run(const Scene& scene)
   request.kind = ShapeRequest::Kind::prolate;
   request.reduced_volume = 0.95;
   request.triangles = 80;
-  const Simulation simulation(scene, make_shape(request));
+  Simulation simulation(scene, make_shape(request));
   State state = simulation.start();
   while (!simulation.finished(state))
     state = simulation.step(state);

@@ -1,4 +1,4 @@
-#include "solver/membrane/Bending.h"
+#include "solver/membrane/HelfrichBending.h"
 #include "solver/mesh/shapes/GeodesicSphere.h"
 #include "tests/solver/support/CotanCase.h"
 #include "tests/solver/support/TestMeshes.h"

@@ -1,4 +1,4 @@
-#include "solver/membrane/SurfaceBending.h"
+#include "solver/membrane/HelfrichBending.h"
 
 #include "solver/surface/LoopBasis.h"
 #include "solver/surface/SparseLU.h"
@@ -22,7 +22,7 @@ struct Case
   BasisTable table;
   Points control;
   SurfacePoints surface;
-  RowCurvature curvature;
+  PointCurvature curvature;
 
   Case(int triangles, const test::Map& map)
     : Case(test::mapped(test::smooth_sphere(triangles), map))
@@ -31,7 +31,7 @@ struct Case
   explicit Case(TriangleMesh m)
     : mesh(std::move(m)), basis(mesh.triangles, static_cast<int>(mesh.points.rows())),
       table(tabulate_rule(basis, triangle_rule(6), 3)), control(fitted(mesh.points)),
-      surface(evaluate(table, control)), curvature(row_curvature(table, surface, control))
+      surface(evaluate(table, control)), curvature(point_curvature(table, surface, control))
   {
   }
   Points fitted(const Points& vertices) const
@@ -45,7 +45,7 @@ struct Case
   double energy_of(const Points& c) const
   {
     const SurfacePoints s = evaluate(table, c);
-    return bending_energy(s, row_curvature(table, s, c));
+    return bending_energy(s, point_curvature(table, s, c));
   }
 };
 
@@ -82,7 +82,7 @@ TEST(SurfaceBending, LoadIsTheDescentOfTheEnergy)
     for (int level = 0; level < 2; ++level)
     {
       const Case c(level == 0 ? 1280 : 5120, map);
-      const Eigen::VectorXd load = bending_load(c.table, c.surface, c.curvature);
+      const Eigen::VectorXd load = bending_moments(c.table, c.surface, c.curvature);
       const Points normal = c.basis.vertex_normals(c.control);
       Eigen::VectorXd eta(c.table.nodes);
       for (int i = 0; i < eta.size(); ++i)
@@ -130,7 +130,7 @@ TEST(SurfaceBending, WorkOnAStretchedEllipsoidIsTheExactEnergys)
     const Points normal = c.basis.vertex_normals(c.control);
     Points eta = Points::Zero(c.table.nodes, 3);
     eta.col(0) = normal.col(0).cwiseProduct(c.mesh.points.col(0)) / 2;
-    const Eigen::VectorXd load = bending_load(c.table, c.surface, c.curvature);
+    const Eigen::VectorXd load = bending_moments(c.table, c.surface, c.curvature);
     error[level] = std::abs(load.dot(c.fitted(eta).col(0)) / exact - 1);
   }
   EXPECT_LT(error[1], 0.01);

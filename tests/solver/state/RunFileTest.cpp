@@ -117,14 +117,13 @@ TEST_F(RunFileTest, GoesOnAfterReopening)
 TEST_F(RunFileTest, EmptyArraysAndSpecialNumbers)
 {
   State special = state(1);
-  special.tension.resize(0);
-  special.bending.resize(0);
-  special.volume_speed.resize(0);
-  special.preconditioner_points.resize(0, 3);
-  special.points(0, 0) = -0.0;
-  special.points(1, 0) = std::numeric_limits<double>::denorm_min();
-  special.points(2, 0) = std::numeric_limits<double>::max();
-  special.free_step = std::numeric_limits<double>::infinity();
+  special.vesicles[0].tension.resize(0);
+  special.vesicles[0].stiff_force.resize(0);
+  special.preconditioner.points[0].resize(0, 3);
+  special.vesicles[0].points(0, 0) = -0.0;
+  special.vesicles[0].points(1, 0) = std::numeric_limits<double>::denorm_min();
+  special.vesicles[0].points(2, 0) = std::numeric_limits<double>::max();
+  special.controller.free_step = std::numeric_limits<double>::infinity();
   {
     RunFile run = RunFile::create(file, header());
     run.append(special, row(0));
@@ -135,7 +134,7 @@ TEST_F(RunFileTest, EmptyArraysAndSpecialNumbers)
 TEST_F(RunFileTest, StateMayChangeItsSize)
 {
   State small = state(3, 12);
-  small.tension.resize(0);
+  small.vesicles[0].tension.resize(0);
   {
     RunFile run = RunFile::create(file, header());
     run.append(state(0), row(0));
@@ -157,7 +156,7 @@ TEST_F(RunFileTest, RefusesWhatIsNotFinite)
   bad_row[1] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(run.append(state(1), bad_row), NumericalError);
   State bad_state = state(1);
-  bad_state.velocity(3, 1) = std::numeric_limits<double>::infinity();
+  bad_state.vesicles[1].velocity(3, 1) = std::numeric_limits<double>::infinity();
   EXPECT_THROW(run.append(bad_state, row(1)), NumericalError);
   EXPECT_THROW(run.append(state(1), { 1.0 }), IoError);
   expect_run(run, 1);
@@ -177,9 +176,9 @@ TEST_F(RunFileTest, OthersFindPlainDatasetsWithoutNaN)
   EXPECT_EQ(numbers_in(file, "/series/inclination_deg"),
     (std::vector<double>{ missing, 0.1, 0.1 * 2, missing }));
   EXPECT_EQ(numbers_in(file, "/committed"), std::vector<double>{ 4 });
-  EXPECT_EQ(numbers_in(file, "/state/0/points").size(), 42u * 3);
-  EXPECT_EQ(numbers_in(file, "/triangles").size(), 9u);
-  for (const double number : numbers_in(file, "/state/1/points"))
+  EXPECT_EQ(numbers_in(file, "/state/0/vesicle_1/points").size(), 42u * 3);
+  EXPECT_EQ(numbers_in(file, "/triangles/vesicle_0").size(), 9u);
+  for (const double number : numbers_in(file, "/state/1/vesicle_0/points"))
   {
     EXPECT_TRUE(std::isfinite(number));
   }

@@ -17,17 +17,17 @@ class Filler
 {
 public:
   explicit Filler(std::uint64_t seed, int vertices) : random_(seed), vertices_(vertices) {}
-  void operator()(const char*, std::int64_t& value)
+  void operator()(const std::string&, std::int64_t& value)
   {
     value = static_cast<std::int64_t>(random_() / 2);
   }
-  void operator()(const char*, double& value) { value = any(); }
-  void operator()(const char*, Points& points)
+  void operator()(const std::string&, double& value) { value = any(); }
+  void operator()(const std::string&, Points& points)
   {
     points.resize(vertices_, 3);
     fill(points.data(), points.size());
   }
-  void operator()(const char*, Eigen::VectorXd& vector)
+  void operator()(const std::string&, Eigen::VectorXd& vector)
   {
     vector.resize(vertices_);
     fill(vector.data(), vector.size());
@@ -57,7 +57,7 @@ void append_bytes(std::string& bytes, const T* values, Eigen::Index count)
 std::string bytes_of(const State& state)
 {
   std::string bytes;
-  const auto add = [&](const char* name, const auto& field)
+  const auto add = [&](const std::string& name, const auto& field)
   {
     bytes += name;
     if constexpr (requires { field.rows(); })
@@ -81,8 +81,11 @@ RunFile::Header header()
 {
   RunFile::Header header;
   header.scene = "name = \"é\"\n[vesicle]\nshape = \"sphere\"\n";
-  header.triangles.resize(3, 3);
-  header.triangles << 0, 1, 2, 2, 1, 3, 0, 3, 41;
+  header.triangles.resize(2); // vesicles
+  header.triangles[0].resize(3, 3);
+  header.triangles[0] << 0, 1, 2, 2, 1, 3, 0, 3, 41;
+  header.triangles[1].resize(1, 3);
+  header.triangles[1] << 0, 1, 2;
   header.length_scale = 1e-6;
   header.time_scale = 0.1;
   header.energy_scale = 1e-19;
@@ -94,6 +97,8 @@ RunFile::Header header()
 State state(std::int64_t step, int vertices)
 {
   State state;
+  state.vesicles.resize(2);
+  state.preconditioner.points.resize(2);
   for_each_field(state, Filler(static_cast<std::uint64_t>(step) + 1, vertices));
   state.step = step;
   return state;

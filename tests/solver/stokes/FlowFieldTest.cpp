@@ -1,6 +1,6 @@
 #include "solver/stokes/MembraneFlow.h"
 
-#include "solver/stokes/SingleLayer.h"
+#include "solver/stokes/StokesOperator.h"
 #include "tests/solver/support/TestMeshes.h"
 
 #include <gtest/gtest.h>
@@ -82,7 +82,7 @@ double largest_error(const FlowField& field, const Points& points)
 struct SphereErrors
 {
   double far, near, inside, on;
-  SphereErrors(int triangles, Scene::Basis basis)
+  SphereErrors(int triangles, SurfaceBasis basis)
   {
     const TriangleMesh mesh = smooth_sphere(triangles);
     const FlowField field = membrane_flow(mesh, basis, uniform(mesh, drag_density));
@@ -104,7 +104,7 @@ struct SphereErrors
 
 TEST(FlowField, RigidSphereByLinearElements)
 {
-  const SphereErrors coarse(320, Scene::Basis::linear), fine(1280, Scene::Basis::linear);
+  const SphereErrors coarse(320, SurfaceBasis::linear), fine(1280, SurfaceBasis::linear);
   // Flat triangles are off by h² in position, and so is everything.
   EXPECT_GT(test::order(coarse.far, fine.far), 1.8) << coarse.far << ' ' << fine.far;
   EXPECT_GT(test::order(coarse.near, fine.near), 1.8) << coarse.near << ' ' << fine.near;
@@ -115,7 +115,7 @@ TEST(FlowField, RigidSphereByLinearElements)
 
 TEST(FlowField, RigidSphereByLoopSurface)
 {
-  const SphereErrors coarse(320, Scene::Basis::loop), fine(1280, Scene::Basis::loop);
+  const SphereErrors coarse(320, SurfaceBasis::loop), fine(1280, SurfaceBasis::loop);
   EXPECT_GT(test::order(coarse.far, fine.far), 3) << coarse.far << ' ' << fine.far;
   // Close by, the surface at the twelve vertices of valence five tells: the order is lower.
   EXPECT_GT(test::order(coarse.near, fine.near), 1.8) << coarse.near << ' ' << fine.near;
@@ -131,7 +131,7 @@ TEST(FlowField, ContinuousAcrossTheSurface)
   VertexForces forces = uniform(mesh, { 1, 0, 0 });
   for (int i = 0; i < mesh.points.rows(); ++i)
     forces.total.row(i) += mesh.points(i, 2) * mesh.points.row(i);
-  const FlowField field = membrane_flow(mesh, Scene::Basis::linear, forces);
+  const FlowField field = membrane_flow(mesh, SurfaceBasis::linear, forces);
   const SurfacePanels surface = flat_panels(mesh);
   const Points on = field.at(beside(surface, 0, 60)).velocity;
   for (double d : { 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-9 })
@@ -145,13 +145,13 @@ TEST(FlowField, ContinuousAcrossTheSurface)
 TEST(FlowField, InsideOrOutsideAtEveryDistance)
 {
   const TriangleMesh mesh = mapped(smooth_sphere(320), test::ellipsoid_2_1_1);
-  for (auto basis : { Scene::Basis::linear, Scene::Basis::loop })
+  for (auto basis : { SurfaceBasis::linear, SurfaceBasis::loop })
   {
     const FlowField field = membrane_flow(mesh, basis, uniform(mesh, drag_density));
     // Loop's surface stands out from the flat triangles by some h²/8R.
     for (double d : { 10., 3., 1., 0.5, 0.1, 1e-3, 1e-5, 1e-6 })
     {
-      if (basis == Scene::Basis::loop && d < 0.05)
+      if (basis == SurfaceBasis::loop && d < 0.05)
         continue;
       const Points outside = beside(flat_panels(mesh), d, 60);
       for (unsigned char inside : field.at(outside).inside)
@@ -176,16 +176,14 @@ TEST(FlowField, AgreesWithTheSingleLayerAtTheVertices)
   for (int i = 0; i < mesh.points.rows(); ++i)
     forces.total.row(i) += mesh.points(i, 2) * mesh.points.row(i);
   const Points velocity =
-    membrane_flow(mesh, Scene::Basis::linear, forces).at(mesh.points).velocity;
+    membrane_flow(mesh, SurfaceBasis::linear, forces).at(mesh.points).velocity;
   double error[2];
   for (int level = 0; level < 2; ++level)
   {
     const LinearBasis basis(mesh.triangles, static_cast<int>(mesh.points.rows()));
-    const SingleLayer layer(basis, { level == 0 ? 3 : 12, 0, 0, 4, 8 });
-    DenseMatrix S;
-    layer.assemble(mesh.points, mesh.points, S);
-    Eigen::VectorXd u;
-    multiply(S, forces.total.reshaped<Eigen::RowMajor>(), u);
+    const LayerRules rules(basis, { level == 0 ? 3 : 12, 0, 0, 4, 8 });
+    const StokesOperator layer({ { &rules, mesh.points, mesh.points } });
+    const Eigen::VectorXd u = layer.apply(std::array{ nodal_density(forces.total) });
     error[level] =
       (u.reshaped<Eigen::RowMajor>(velocity.rows(), 3) - velocity).rowwise().norm().maxCoeff();
   }
@@ -210,7 +208,7 @@ TEST(FlowField, PressureMovesNothing)
     }
     return n;
   }();
-  const FlowField field = membrane_flow(mesh, Scene::Basis::loop, { normal, {}, {} });
+  const FlowField field = membrane_flow(mesh, SurfaceBasis::loop, { normal, {}, {} });
   for (double d : { -0.3, -1e-3, -1e-6, 0., 1e-6, 1e-3, 0.3 })
     EXPECT_LT(field.at(beside(flat_panels(mesh), d, 40)).velocity.rowwise().norm().maxCoeff(), 2e-4)
       << d;
@@ -219,7 +217,7 @@ TEST(FlowField, PressureMovesNothing)
 TEST(FlowField, ResultsDontDependOnTheNumberOfThreads)
 {
   const TriangleMesh mesh = smooth_sphere(320);
-  const FlowField field = membrane_flow(mesh, Scene::Basis::loop, uniform(mesh, drag_density));
+  const FlowField field = membrane_flow(mesh, SurfaceBasis::loop, uniform(mesh, drag_density));
   const Points points = beside(flat_panels(mesh), 1e-2, 100);
   FlowField::Flow alone;
   oneapi::tbb::task_arena(1).execute([&] { alone = field.at(points); });

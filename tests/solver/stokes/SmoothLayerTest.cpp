@@ -6,7 +6,7 @@
 #include "solver/mesh/shapes/Shapes.h"
 #include "solver/surface/LoopBasis.h"
 #include "solver/surface/SparseLU.h"
-#include "solver/stokes/SingleLayer.h"
+#include "solver/stokes/StokesOperator.h"
 #include "tests/solver/support/TestMeshes.h"
 
 #include <gtest/gtest.h>
@@ -21,6 +21,12 @@ namespace
 
 using Field = std::function<Vector3(const Vector3&)>;
 
+LayerQuadrature smooth_quadrature(int regular)
+{
+  const TriangleMesh any = test::smooth_sphere(80);
+  return layer_quadrature(LoopBasis(any.triangles, static_cast<int>(any.points.rows())), regular);
+}
+
 struct LoopLayer
 {
   TriangleMesh mesh;
@@ -33,8 +39,8 @@ struct LoopLayer
     Eigen::SparseMatrix<double> P = basis.collocation();
     P.makeCompressed();
     fit.compute(P);
-    const SingleLayer layer(basis, quadrature);
-    layer.assemble(mesh.points, through(mesh.points), S);
+    const LayerRules rules(basis, quadrature);
+    S = StokesOperator({ { &rules, mesh.points, through(mesh.points) } }).matrix(0);
   }
   Points through(const Points& values) const
   {
@@ -52,8 +58,7 @@ struct LoopLayer
   double error(const Field& density, const Field& velocity) const
   {
     const Points f = through(sampled(density)), u = sampled(velocity);
-    Eigen::VectorXd Sf;
-    multiply(S, f.reshaped<Eigen::RowMajor>(), Sf);
+    const Eigen::VectorXd Sf = multiply(S, f.reshaped<Eigen::RowMajor>());
     const Eigen::VectorXd exact = u.reshaped<Eigen::RowMajor>();
     return (Sf - exact).norm() / exact.norm();
   }
@@ -82,7 +87,7 @@ const Mode modes[] = {
 
 TEST(SmoothLayer, SphereEigenvaluesWithOrderOverTwoAndAHalf)
 {
-  const LayerQuadrature quadrature = smooth_layer_quadrature(3);
+  const LayerQuadrature quadrature = smooth_quadrature(3);
   const LoopLayer coarse(test::smooth_sphere(320), quadrature),
     fine(test::smooth_sphere(1280), quadrature);
   for (const Mode& mode : modes)
@@ -101,14 +106,13 @@ TEST(SmoothLayer, SphereEigenvaluesWithOrderOverTwoAndAHalf)
 // A pressure is in the null space.
 TEST(SmoothLayer, NormalDensityMovesNothing)
 {
-  const LayerQuadrature quadrature = smooth_layer_quadrature(6);
+  const LayerQuadrature quadrature = smooth_quadrature(6);
   double speed[2];
   for (int level = 0; level < 2; ++level)
   {
     const LoopLayer layer(test::smooth_sphere(level == 0 ? 320 : 1280), quadrature);
     const Points f = layer.through(layer.mesh.points);
-    Eigen::VectorXd u;
-    multiply(layer.S, f.reshaped<Eigen::RowMajor>(), u);
+    const Eigen::VectorXd u = multiply(layer.S, f.reshaped<Eigen::RowMajor>());
     speed[level] = u.norm() / std::sqrt(layer.mesh.points.rows());
   }
   EXPECT_GT(test::order(speed[0], speed[1]), 2.5);
@@ -123,7 +127,7 @@ TEST(SmoothLayer, TractionOfATranslatingEllipsoid)
   ShapeRequest request;
   request.kind = ShapeRequest::Kind::ellipsoid;
   request.semi_axes = { 2, 1, 1 };
-  const LayerQuadrature quadrature = smooth_layer_quadrature(3);
+  const LayerQuadrature quadrature = smooth_quadrature(3);
   double error[2][2];
   for (int level = 0; level < 2; ++level)
   {
@@ -153,7 +157,7 @@ TEST(SmoothLayer, TractionOfATranslatingEllipsoid)
 TEST(SmoothLayer, NearRuleTakesOutTheErrorOfFirstOrder)
 {
   const TriangleMesh mesh = test::smooth_sphere(1280);
-  LayerQuadrature quadrature = smooth_layer_quadrature(3);
+  LayerQuadrature quadrature = smooth_quadrature(3);
   const auto error = [&]
   {
     return LoopLayer(mesh, quadrature)

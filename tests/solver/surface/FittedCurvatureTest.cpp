@@ -1,8 +1,9 @@
 // Not covered: meshes with noise in their points (scans), where fits of fourth order amplify it.
 #include "solver/surface/FittedCurvature.h"
-#include "solver/membrane/Bending.h"
-#include "solver/membrane/ExactCurvature.h"
+#include "solver/membrane/HelfrichBending.h"
 #include "solver/mesh/shapes/GeodesicSphere.h"
+#include "solver/stokes/BendingVelocityError.h"
+#include "solver/surface/ExactCurvature.h"
 #include "solver/state/Table.h"
 #include "tests/solver/support/TestMeshes.h"
 

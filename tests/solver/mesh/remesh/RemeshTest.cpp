@@ -1,9 +1,9 @@
 #include "solver/Errors.h"
-#include "solver/dynamics/Discretization.h"
 #include "solver/mesh/MeshIntegrals.h"
 #include "solver/mesh/Preparation.h"
 #include "solver/mesh/remesh/Remesh.h"
 #include "solver/mesh/shapes/GeodesicSphere.h"
+#include "solver/surface/SurfaceMeasures.h"
 #include "solver/mesh/shapes/SampleMeshes.h"
 #include "solver/mesh/shapes/ShapeFamily.h"
 #include "tests/solver/support/SmallMeshes.h"
@@ -171,8 +171,7 @@ TriangleMesh projected(TriangleMesh mesh)
 /// Of Loop's limit surface.
 double bending_energy(const TriangleMesh& mesh)
 {
-  const int points = static_cast<int>(mesh.points.rows());
-  return make_loop_discretization(Model(), mesh.triangles, points, 3)->bending_energy(mesh.points);
+  return surface_measures(SurfaceBasis::loop, mesh).bending_energy;
 }
 
 TriangleMesh read_off_or_ply(const std::string& name)

@@ -1,0 +1,160 @@
+#include "solver/dynamics/Evolution.h"
+
+#include "solver/Errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vesicle
+{
+
+namespace
+{
+
+// The first step of an adaptive run, in units of the system's own time; the controller takes over.
+constexpr double first_step = 1e-2;
+// Where the system has no rate of its own (nothing moves, or nothing but a uniform flow).
+constexpr double idle_rate = 1;
+// Shorter steps than this fraction of the system's time mean that the run is stuck.
+constexpr double shortest_step = 1e-6;
+constexpr int max_attempts = 40;
+// The shape's normal speed relative to its centroid, in r0 times the system's rate.
+constexpr double steady_speed = 2e-3;
+
+}
+
+Evolution::Evolution(System system, const StepperSettings& settings, const OutputSchedule& schedule,
+  double time_unit, std::optional<double> fixed_step)
+  : stepper_(std::move(system), settings), schedule_(schedule), time_unit_(time_unit),
+    fixed_step_(fixed_step)
+{
+}
+
+double Evolution::rate() const
+{
+  const double rate = stepper_.system().rate();
+  return rate > 0 ? rate : idle_rate;
+}
+
+// next_step from free_step: no longer than the mesh allows, and such that the next output is hit.
+void Evolution::plan_next_step(State& state)
+{
+  double dt = state.controller.free_step;
+  if (!fixed_step_ && state.vesicles.front().velocity.rows() > 0)
+    dt = std::min(dt, stepper_.longest_step(state));
+  if (const auto target = schedule_.next(state); target && *target > state.time)
+    dt = step_towards(dt, state.time / time_unit_, *target / time_unit_);
+  state.controller.next_step = dt;
+}
+
+// True for the last state of a run whose end has been put off since.
+bool Evolution::overshoots(const State& state) const
+{
+  const auto target = schedule_.next(state);
+  return target && state.controller.next_step > (*target - state.time) / time_unit_ * (1 + 1e-9);
+}
+
+bool Evolution::steady(const State& state)
+{
+  const auto shape = stepper_.shape(state);
+  return largest_normal(*shape, relative_to_centroids(*shape, velocity_of(state))) <
+    steady_speed * rate();
+}
+
+State Evolution::unsolved(const std::vector<Points>& points)
+{
+  State state;
+  for (const Points& at : points)
+    state.vesicles.emplace_back().points = at;
+  state.preconditioner.points.resize(points.size());
+  const auto shape = stepper_.shape(state);
+  for (std::size_t v = 0; v < points.size(); ++v)
+  {
+    state.vesicles[v].target_area = shape->vesicles[v].surface->area;
+    state.vesicles[v].target_volume = shape->vesicles[v].surface->volume;
+  }
+  return state;
+}
+
+State Evolution::instant(const std::vector<Points>& points)
+{
+  State state = unsolved(points);
+  stepper_.solve(state); // over a step of 0
+  return state;
+}
+
+State Evolution::start(const std::vector<Points>& points)
+{
+  State state = unsolved(points);
+  state.controller.free_step = fixed_step_.value_or(first_step / rate());
+  plan_next_step(state);
+  stepper_.solve(state);
+  return state;
+}
+
+State Evolution::step(const State& before)
+{
+  State from = before;
+  if (overshoots(from))
+  {
+    plan_next_step(from);
+    stepper_.solve(from);
+  }
+  std::string reason;
+  for (int attempt = 0; attempt < max_attempts; ++attempt)
+  {
+    StepReport report;
+    State after;
+    try
+    {
+      after = stepper_.attempt(from, report);
+      reason = reason_to_reject(report, stepper_.settings().limits);
+    }
+    catch (const NumericalError& error)
+    {
+      reason = error.what();
+    }
+    if (reason.empty())
+      return accept(before, from, std::move(after), report);
+    if (fixed_step_)
+      throw NumericalError(fmt::format("t = {}: a step of {} can't be made: {}. Take a smaller "
+                                       "time.step, or time.step = \"auto\".",
+        before.time, from.controller.next_step * time_unit_, reason));
+    ++from.controller.rejected;
+    from.controller.free_step = from.controller.next_step / 2;
+    if (from.controller.free_step < shortest_step / rate())
+      break;
+    plan_next_step(from);
+    stepper_.solve(from);
+  }
+  throw NumericalError(fmt::format("t = {}: no step can be made, down to {:.1e}: {}. Try more "
+                                   "triangles, or a milder flow, load or deflation.",
+    before.time, from.controller.next_step * time_unit_, reason));
+}
+
+// `from`: the start of the step, planned anew after rejections.
+State Evolution::accept(const State& before, const State& from, State after, StepReport report)
+{
+  const auto target = schedule_.next(before);
+  const double dt = from.controller.next_step;
+  const bool on_target = target && dt == *target / time_unit_ - before.time / time_unit_;
+  after.time = on_target ? *target : before.time + dt * time_unit_;
+  schedule_.pass(after);
+  const auto choose_step = [&]
+  {
+    if (!fixed_step_)
+      after.controller.free_step =
+        wanted_step(dt, from.controller.free_step, report, stepper_.settings().limits);
+  };
+  choose_step();
+  plan_next_step(after);
+  stepper_.solve(after);
+  // An error that is known only now counts for the step after the next one.
+  stepper_.complete(from, after, report);
+  choose_step();
+  return after;
+}
+
+}

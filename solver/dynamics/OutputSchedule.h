@@ -1,0 +1,40 @@
+#pragma once
+// The times that a run hits exactly.
+
+#include "solver/dynamics/State.h"
+
+#include <optional>
+#include <vector>
+
+namespace vesicle
+{
+
+/// Times closer than 1e-10 of them are the same: output times are multiples of a decimal fraction,
+/// which a caller may have rounded differently.
+bool same_time(double a, double b);
+
+/// Multiples of `every`, and the end. Times are in the scene's units.
+class OutputSchedule
+{
+public:
+  /// `every` 0: no times but the end; `end` empty: until the run ends by itself.
+  OutputSchedule(double every, std::optional<double> end);
+
+  const std::optional<double>& end() const { return end_; }
+  /// The time that the run goes to next; empty if there is none.
+  std::optional<double> next(const State& state) const;
+  /// True at the start and where a multiple of `every` was hit.
+  bool due(const State& state) const;
+  /// Counts the output on, if `state` has hit one.
+  void pass(State& state) const;
+  /// All times from `from` to `end`, with these two.
+  std::vector<double> between(double from, double end) const;
+
+private:
+  double multiple(std::int64_t k) const;
+
+  double every_;
+  std::optional<double> end_;
+};
+
+}

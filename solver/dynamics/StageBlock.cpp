@@ -1,0 +1,81 @@
+#include "solver/dynamics/StageBlock.h"
+
+namespace vesicle
+{
+
+namespace
+{
+
+SparseMatrix identity(Eigen::Index n)
+{
+  SparseMatrix I(n, n);
+  I.setIdentity();
+  return I;
+}
+
+/// K of γ and the slack: the filter, the slack's column D P⁻¹n and the gauge's row.
+SparseMatrix with_pinned_gauge(const VesicleShape& shape, const SparseMatrix& filter)
+{
+  const Surface& surface = *shape.surface;
+  const int n = static_cast<int>(surface.vertex_area.size());
+  const Eigen::VectorXd slack = shape.constraint->rate * surface.to_control(flat(surface.normals));
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < filter.outerSize(); ++i)
+    for (SparseMatrix::InnerIterator it(filter, i); it; ++it)
+      entries.emplace_back(i, static_cast<int>(it.col()), it.value());
+  for (int i = 0; i < n; ++i)
+  {
+    entries.emplace_back(i, n, slack[i]);
+    entries.emplace_back(n, i, surface.vertex_area[i]);
+  }
+  SparseMatrix K(n + 1, n + 1);
+  K.setFromTriplets(entries.begin(), entries.end());
+  return K;
+}
+
+}
+
+StageBlock stiff_block(const VesicleShape& shape, std::size_t vesicle, const Mobility& mobility,
+  double tau, const Eigen::VectorXd& reference)
+{
+  const Surface& surface = *shape.surface;
+  const Eigen::Index n = surface.vertices.rows();
+  const Linearisation& linear = *shape.linearisation;
+  StageBlock block{ vesicle, n, &mobility.matrix, mobility.normal, n, {}, {}, {}, {} };
+  block.rows.control = -tau * linear.response;
+  block.rows.weight.resize(n, 3);
+  for (int c = 0; c < 3; ++c)
+    block.rows.weight.col(c) = tau * (linear.response * Vector3(Vector3::Unit(c)).replicate(n, 1));
+  block.rows.functional = surface.centroid_velocity;
+  block.own = linear.mass.size() > 0 ? linear.mass : identity(n);
+  if (reference.size() > 0)
+    block.prescribed = block.rows.control * surface.to_control(reference);
+  return block;
+}
+
+StageBlock tension_block(const VesicleShape& shape, std::size_t vesicle, const Mobility& mobility)
+{
+  const Eigen::Index n = shape.surface->vertices.rows();
+  const ConstraintRows& constraint = *shape.constraint;
+  StageBlock block{ vesicle, n, &mobility.matrix, mobility.tension, n, {}, {}, {}, {} };
+  block.rows.control = constraint.rate;
+  block.own = constraint.filter;
+  if (constraint.gauge_pinned)
+  {
+    block.size = n + 1;
+    block.rows.control.conservativeResize(n + 1, constraint.rate.cols());
+    block.own = with_pinned_gauge(shape, constraint.filter);
+  }
+  return block;
+}
+
+StageBlock volume_block(const VesicleShape& shape, std::size_t vesicle)
+{
+  const Surface& surface = *shape.surface;
+  StageBlock block{ vesicle, 1, nullptr, 0, 0, flat(surface.normals), {}, {}, {} };
+  block.rows.weight = Eigen::MatrixXd::Ones(1, 1);
+  block.rows.functional = surface.volume_gradient.transpose();
+  return block;
+}
+
+}

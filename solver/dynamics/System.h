@@ -1,0 +1,49 @@
+#pragma once
+// What is modelled: vesicles and the flow that is imposed on them, in units of r0, EB and μ. What a
+// scene doesn't name isn't here.
+
+#include "solver/flow/ImposedFlow.h"
+#include "solver/membrane/Incompressibility.h"
+#include "solver/membrane/MembraneTerm.h"
+#include "solver/stokes/LayerRules.h"
+
+#include <memory>
+#include <vector>
+
+namespace vesicle
+{
+
+struct Vesicle
+{
+  std::unique_ptr<const SurfaceSpace> space;
+  std::unique_ptr<const LayerRules> layer;
+  MembraneTerms terms;
+  std::unique_ptr<const Incompressibility> incompressibility; ///< none: no tension
+  /// The energy that is reported where no term has one.
+  std::unique_ptr<const MembraneTerm> curvature_energy;
+  /// A row for the volume in the linear problem, area and volume restored after each step. The
+  /// paper's scheme has neither.
+  bool conserved = true;
+
+  bool stiff() const;
+  /// Of the terms that are the membrane's own; without any the curvature's, for reports.
+  double energy(const Surface& surface) const;
+  bool has_energy() const; ///< a term of the membrane's own
+};
+
+/// A vesicle without terms on `triangles` of `nodes` vertices; `quadrature` points a triangle.
+Vesicle make_vesicle(SurfaceBasis basis, const Triangles& triangles, int nodes, int quadrature);
+Vesicle make_vesicle(std::unique_ptr<const SurfaceSpace> space, int quadrature);
+
+struct System
+{
+  std::vector<Vesicle> vesicles;
+  std::shared_ptr<const ImposedFlow> flow; ///< none: at rest far away
+
+  /// The rate that sets the pace, the largest of the terms' and the flow's; 0 if there is none.
+  double rate() const;
+  /// Nothing but its own membrane moves a vesicle: its energy can't rise.
+  bool only_relaxes() const;
+};
+
+}

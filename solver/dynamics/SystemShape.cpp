@@ -1,0 +1,80 @@
+#include "solver/dynamics/SystemShape.h"
+
+namespace vesicle
+{
+
+namespace
+{
+
+void add(std::optional<Linearisation>& sum, Linearisation&& part)
+{
+  if (!sum)
+    sum = std::move(part);
+  else
+    sum->response += part.response; // all have the mass matrix of the surface
+}
+
+}
+
+VesicleShape::VesicleShape(const Vesicle& v, const Points& points)
+  : vesicle(&v), surface(std::make_unique<Surface>(*v.space, points)),
+    basis(make_force_basis(*surface, v.incompressibility.get()))
+{
+  NodalForce stiff;
+  for (const auto& term : v.terms)
+  {
+    TermForce force = term->force(*surface);
+    (term->stiff() ? stiff : other_force) += force.density;
+    forces.push_back(std::move(force.density));
+    if (force.linearisation)
+      add(linearisation, std::move(*force.linearisation));
+  }
+  stiff_force = std::move(stiff.normal);
+  if (v.incompressibility)
+    constraint = v.incompressibility->rows(*surface);
+}
+
+NodalForce VesicleShape::force() const
+{
+  NodalForce sum{ stiff_force, {} };
+  return sum += other_force;
+}
+
+Mobility::Columns VesicleShape::columns() const
+{
+  return { stiff_force.size() > 0 || other_force.normal.size() > 0, constraint.has_value(),
+    other_force.vector };
+}
+
+SystemShape::SystemShape(const System& system, const std::vector<Points>& at)
+  : points(at), first{ 0 }
+{
+  for (std::size_t i = 0; i < system.vesicles.size(); ++i)
+  {
+    vesicles.emplace_back(system.vesicles[i], points[i]);
+    first.push_back(first.back() + points[i].rows());
+  }
+  imposed = Eigen::VectorXd::Zero(3 * vertices());
+  if (system.flow)
+    for (std::size_t i = 0; i < vesicles.size(); ++i)
+      imposed.segment(3 * first[i], 3 * points[i].rows()) =
+        flat(system.flow->velocities(points[i]));
+}
+
+std::vector<Mobility> mobilities(const SystemShape& shape)
+{
+  std::vector<LayerSurface> surfaces;
+  for (const VesicleShape& v : shape.vesicles)
+    surfaces.push_back({ v.vesicle->layer.get(), v.surface->vertices, v.surface->control });
+  const StokesOperator layer(std::move(surfaces));
+  std::vector<Mobility> result;
+  for (int i = 0; i < static_cast<int>(shape.vesicles.size()); ++i)
+  {
+    const Mobility::Columns columns = shape.vesicles[i].columns();
+    result.push_back(columns.any() ? shape.vesicles[i].basis->mobility(layer, i, columns)
+                                   : Mobility{ DenseMatrix(3 * shape.vertices(), 0) });
+  }
+  return result;
+}
+
+}

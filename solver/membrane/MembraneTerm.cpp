@@ -1,0 +1,26 @@
+#include "solver/membrane/MembraneTerm.h"
+
+namespace vesicle
+{
+
+namespace
+{
+
+void add(Eigen::VectorXd& sum, const Eigen::VectorXd& part)
+{
+  if (sum.size() == 0)
+    sum = part;
+  else if (part.size() > 0)
+    sum += part;
+}
+
+}
+
+NodalForce& NodalForce::operator+=(const NodalForce& other)
+{
+  add(normal, other.normal);
+  add(vector, other.vector);
+  return *this;
+}
+
+}

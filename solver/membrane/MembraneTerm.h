@@ -1,0 +1,62 @@
+#pragma once
+// What acts on a vesicle's membrane: bending, buoyancy, … Each term is an object of its own; one
+// that the scene doesn't name doesn't exist. All in units of r0, EB and μ; densities are forces an
+// area, the membrane's on the fluid.
+
+#include "solver/surface/Surface.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vesicle
+{
+
+/// A force density by numbers at the nodes; parts that a term doesn't have are empty.
+struct NodalForce
+{
+  /// φ, N: the density is Σ N_k φ_k n on a smooth surface, Σ N_k φ_k n_k on flat triangles with the
+  /// normals n_k of vertex_curvature.
+  Eigen::VectorXd normal;
+  /// f, 3N: the density is Σ N_k f_k. Flat triangles only.
+  Eigen::VectorXd vector;
+
+  NodalForce& operator+=(const NodalForce& other);
+};
+
+/// How φ follows a displacement: M δφ = R δc, c the control points.
+struct Linearisation
+{
+  SparseMatrix mass;     ///< M, N by N; empty: the identity
+  SparseMatrix response; ///< R, N by 3N
+};
+
+/// A term at one shape.
+struct TermForce
+{
+  NodalForce density;
+  std::optional<Linearisation> linearisation; ///< of density.normal, of terms that are stiff
+};
+
+class MembraneTerm
+{
+public:
+  virtual ~MembraneTerm() = default;
+  /// The first word of its field: "Bending" gives Bending_Force.
+  virtual std::string name() const = 0;
+  /// True where an outside body pulls (gravity): its power is put in, and its density isn't the
+  /// membrane's own.
+  virtual bool external() const { return false; }
+  /// True where its force must follow the motion within a time step.
+  virtual bool stiff() const { return false; }
+  /// The rate that it sets, for a vesicle of radius 1.
+  virtual double rate() const = 0;
+
+  virtual double energy(const Surface& surface) const = 0;
+  virtual TermForce force(const Surface& surface) const = 0;
+};
+
+using MembraneTerms = std::vector<std::unique_ptr<const MembraneTerm>>;
+
+}

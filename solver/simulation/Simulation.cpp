@@ -1,0 +1,146 @@
+#include "solver/simulation/Simulation.h"
+
+#include "solver/dynamics/Evolution.h"
+#include "solver/dynamics/StateReport.h"
+#include "solver/mesh/MeshInspection.h"
+#include "solver/simulation/StartMesh.h"
+#include "solver/simulation/SystemOfScene.h"
+#include "solver/mesh/Preparation.h"
+
+namespace vesicle
+{
+
+namespace
+{
+
+std::string start_name(const Scene& scene)
+{
+  return scene.vesicle.mesh_file ? scene.vesicle.mesh_file->string() : "start mesh";
+}
+
+std::optional<double> fixed_step(const Scene& scene, const Scales& scales)
+{
+  if (scene.time.step)
+    return *scene.time.step / scales.time();
+  return {};
+}
+
+std::string joined(std::initializer_list<std::string> notes)
+{
+  std::string all;
+  for (const std::string& note : notes)
+    if (!note.empty())
+      all += (all.empty() ? "" : "\n") + note;
+  return all;
+}
+
+}
+
+struct Simulation::Impl
+{
+  Scene scene;
+  std::string notes;
+  TriangleMesh start_mesh; ///< in the scene's units
+  Scales scales;
+  Evolution evolution;
+  StateReport report;
+
+  Impl(const Scene& s, TriangleMesh mesh, const std::string& start_notes)
+    : scene(s), notes(prepare_for_dynamics(mesh, start_name(s))), start_mesh(std::move(mesh)),
+      scales(scales_of(s, start_mesh)),
+      evolution(system_of(s, scales, start_mesh), stepper_settings_of(s), schedule_of(s),
+        scales.time(), fixed_step(s, scales)),
+      report(evolution.system(), scales)
+  {
+    notes = joined({ check_smoothness(scene, start_mesh), start_notes, notes });
+  }
+
+  std::vector<Points> start_points() const { return { start_mesh.points / scales.length }; }
+};
+
+Simulation::Simulation(const Scene& scene, TriangleMesh start, const std::string& notes)
+  : impl_(std::make_unique<Impl>(scene, std::move(start), notes))
+{
+}
+
+Simulation::~Simulation() = default;
+
+const Scene& Simulation::scene() const
+{
+  return impl_->scene;
+}
+
+const Scales& Simulation::scales() const
+{
+  return impl_->scales;
+}
+
+const Triangles& Simulation::triangles() const
+{
+  return impl_->start_mesh.triangles;
+}
+
+const std::string& Simulation::notes() const
+{
+  return impl_->notes;
+}
+
+const OutputSchedule& Simulation::schedule() const
+{
+  return impl_->evolution.schedule();
+}
+
+State Simulation::instant()
+{
+  return impl_->evolution.instant(impl_->start_points());
+}
+
+State Simulation::start()
+{
+  return impl_->evolution.start(impl_->start_points());
+}
+
+State Simulation::step(const State& state)
+{
+  return impl_->evolution.step(state);
+}
+
+bool Simulation::finished(const State& state)
+{
+  if (impl_->scene.time.end)
+    return state.time >= *impl_->scene.time.end;
+  return state.step > 0 && impl_->evolution.steady(state);
+}
+
+Diagnostics Simulation::diagnose(const State& state)
+{
+  return impl_->report.diagnose(state, *impl_->evolution.stepper().shape(state), 0);
+}
+
+std::map<std::string, Eigen::MatrixXd> Simulation::fields(const State& state)
+{
+  return impl_->report.fields(state, *impl_->evolution.stepper().shape(state), 0);
+}
+
+double Simulation::time(const State& state) const
+{
+  return state.time;
+}
+
+Points Simulation::points(const State& state) const
+{
+  return state.vesicles[0].points * impl_->scales.length;
+}
+
+Points Simulation::points_between(const State& before, const State& after, double time) const
+{
+  const double dt = (after.time - before.time) / impl_->scales.time();
+  const double s = (time - before.time) / (after.time - before.time);
+  const double s2 = s * s, s3 = s2 * s;
+  const VesicleState &a = before.vesicles[0], &b = after.vesicles[0];
+  return impl_->scales.length *
+    ((2 * s3 - 3 * s2 + 1) * a.points + (s3 - 2 * s2 + s) * dt * a.node_velocity +
+      (3 * s2 - 2 * s3) * b.points + (s3 - s2) * dt * b.node_velocity);
+}
+
+}

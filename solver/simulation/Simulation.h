@@ -1,0 +1,65 @@
+#pragma once
+// One vesicle in one scene: State in, State out.
+
+#include "solver/dynamics/Diagnostics.h"
+#include "solver/dynamics/OutputSchedule.h"
+#include "solver/dynamics/Scales.h"
+#include "solver/scene/Scene.h"
+#include "solver/dynamics/State.h"
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace vesicle
+{
+
+class Simulation
+{
+public:
+  /// `start` is the start mesh in the scene's units, oriented outward (make_start_mesh gives it for
+  /// scenes with a shape; scenes with a mesh file have it read by a reader). Throws InputError.
+  /// `notes` (how the mesh was made, say) come before the simulation's own.
+  Simulation(const Scene& scene, TriangleMesh start, const std::string& notes = {});
+  ~Simulation();
+
+  const Scene& scene() const;
+  const Scales& scales() const;
+  const Triangles& triangles() const;
+  /// What was changed in the start mesh and what is to be said of it, for the user; empty if
+  /// nothing.
+  const std::string& notes() const;
+  /// The times that are hit exactly.
+  const OutputSchedule& schedule() const;
+
+  /// The start: time 0, velocity and tension solved for the start shape, with bending as implicit
+  /// as the first step needs it.
+  State start();
+  /// The same with nothing of a time step in it: the bending force is that of the shape.
+  State instant();
+  /// One accepted step. Throws NumericalError if there is none; `state` is then still valid.
+  State step(const State& state);
+  /// True at the scene's end time, or when the shape is steady (end = "steady").
+  bool finished(const State& state);
+
+  Diagnostics diagnose(const State& state);
+
+  /// Positions between two successive states by cubic Hermite interpolation, in the scene's units.
+  /// `time` in the scene's units, between the two states' times.
+  Points points_between(const State& before, const State& after, double time) const;
+  Points points(const State& state) const; ///< in the scene's units
+  double time(const State& state) const;   ///< in the scene's units
+
+  /// Point fields of a state in the scene's units, by the names of the output contract
+  /// (Mean_Curvature, Gauss_Curvature, Laplacian_Mean_Curvature, Normals, Bending_Force, Tension,
+  /// Tension_Force, Membrane_Force, Gravity_Force, Velocity, Surface_Divergence); #vertices rows, 1
+  /// or 3 columns. Only what the scene has: no Tension without incompressibility, no Bending_Force
+  /// without bending, no Gravity_Force without gravity.
+  std::map<std::string, Eigen::MatrixXd> fields(const State& state);
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}

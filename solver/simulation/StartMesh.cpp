@@ -1,0 +1,116 @@
+#include "solver/simulation/StartMesh.h"
+
+#include "solver/surface/StartShape.h"
+#include "solver/surface/SurfaceMeasures.h"
+#include "solver/surface/Collocation.h"
+#include "solver/surface/LoopBasis.h"
+#include "solver/membrane/HelfrichBending.h"
+#include "solver/mesh/MeshIntegrals.h"
+#include "solver/mesh/Preparation.h"
+#include "solver/mesh/remesh/Remesh.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace vesicle
+{
+
+namespace
+{
+
+// A disagreement of the energy that makes a mesh too rough for a Loop surface.
+constexpr double rough_energy = 0.01;
+
+// Turns the shape's own z axis to where the scene wants it, or by the scene's rotation.
+Eigen::Matrix3d orientation(const Scene::Vesicle& vesicle)
+{
+  if (vesicle.rotation)
+  {
+    const auto& [x, y, z, degrees] = *vesicle.rotation;
+    return Eigen::AngleAxisd(degrees * std::numbers::pi / 180, Vector3(x, y, z).normalized())
+      .toRotationMatrix();
+  }
+  return turn_z_to(vesicle.axis);
+}
+
+}
+
+TriangleMesh make_start_mesh(const Scene& scene)
+{
+  const Scene::Vesicle& vesicle = scene.vesicle;
+  TriangleMesh mesh = make_start_shape(vesicle.shape, scene.accuracy.basis);
+  place(mesh, vesicle.radius, orientation(vesicle), vesicle.center);
+  return mesh;
+}
+
+// How far the energies of the limit surface by a rule of 3 and one of 12 points differ, relatively.
+// On a smooth control mesh that resolves the shape by far less than 1%; kinks in the spacing of its
+// points make the surface rough.
+static double energy_disagreement(const TriangleMesh& mesh)
+{
+  const LoopBasis basis(mesh.triangles, static_cast<int>(mesh.points.rows()));
+  const Points control = Collocation(basis).fit(mesh.points);
+  double energy[2];
+  for (int i = 0; i < 2; ++i)
+  {
+    const BasisTable table = tabulate_rule(basis, triangle_rule(i == 0 ? 3 : 12));
+    const SurfacePoints points = evaluate(table, control);
+    energy[i] = bending_energy(points, point_curvature(table, points, control));
+  }
+  return std::abs(energy[0] / energy[1] - 1);
+}
+
+std::string check_smoothness(const Scene& scene, const TriangleMesh& mesh)
+{
+  if (scene.accuracy.basis == Scene::Basis::linear)
+    return {};
+  const double disagreement = energy_disagreement(mesh);
+  if (disagreement < rough_energy)
+    return {};
+  return fmt::format(
+    "The mesh is rough, or too coarse for its tips and rims: the bending energy of its Loop "
+    "surface is known to {:.0f}% only. Take more triangles (vesicle.triangles; with vesicle.file "
+    "it is resampled then), or accuracy.preset = \"fast\".",
+    100 * disagreement);
+}
+
+// New points and triangles on the surface of a mesh, and what that changed, in words.
+static std::string resample_start_mesh(TriangleMesh& mesh, const std::string& name, int triangles)
+{
+  std::string notes = prepare_for_dynamics(mesh, name);
+  Remeshed resampled = remesh(mesh, triangles);
+  const RemeshReport& r = resampled.report;
+  notes += fmt::format(
+    "{}{}: resampled from {} to {} triangles; largest distance {:.1e} r0, area {:+.2e}, volume "
+    "{:+.2e}, reduced volume {:.4f} (was {:.4f}), smallest angle {:.0f} degrees",
+    notes.empty() ? "" : "\n", name, mesh.triangles.rows(), r.triangles, r.max_distance,
+    r.area_error, r.volume_error, r.reduced_volume, r.input_reduced_volume,
+    r.quality.min_angle_deg);
+  mesh = std::move(resampled.mesh);
+  return notes;
+}
+
+TriangleMesh place_start_mesh(const Scene& scene, TriangleMesh mesh, std::string& notes)
+{
+  const std::string name =
+    scene.vesicle.mesh_file ? scene.vesicle.mesh_file->string() : std::string("mesh");
+  if (scene.vesicle.mesh_triangles)
+    notes = resample_start_mesh(mesh, name, *scene.vesicle.mesh_triangles);
+  else
+    notes = prepare_for_dynamics(mesh, name);
+  const Vector3 center = volume_centroid(mesh);
+  mesh.points.rowwise() -= center.transpose();
+  if (scene.vesicle.mesh_radius)
+  {
+    const double volume = surface_measures(scene.accuracy.basis, mesh).volume;
+    mesh.points *= *scene.vesicle.mesh_radius / equivalent_radius(volume);
+  }
+  if (scene.vesicle.rotation)
+    mesh.points = (mesh.points * orientation(scene.vesicle).transpose()).eval();
+  mesh.points.rowwise() += center.transpose();
+  return mesh;
+}
+
+}

@@ -1,0 +1,78 @@
+#include "solver/simulation/SystemOfScene.h"
+
+#include "solver/membrane/Buoyancy.h"
+#include "solver/membrane/HelfrichBending.h"
+#include "solver/surface/SurfaceMeasures.h"
+
+#include <cmath>
+
+namespace vesicle
+{
+
+namespace
+{
+
+double bond_number(const Scene::Gravity& gravity, const Scales& scales)
+{
+  if (gravity.bond_number)
+    return *gravity.bond_number;
+  return gravity.density_difference * gravity.acceleration * std::pow(scales.length, 4) /
+    scales.energy;
+}
+
+VertexCurvature curvature_of(const Scene::Accuracy& accuracy)
+{
+  if (accuracy.bending == Scene::Bending::fit)
+    return VertexCurvature::fitted;
+  if (accuracy.scheme == Scene::Scheme::paper)
+    return VertexCurvature::paper;
+  return accuracy.basis == SurfaceBasis::loop ? VertexCurvature::weak : VertexCurvature::cotan;
+}
+
+}
+
+Scales scales_of(const Scene& scene, const TriangleMesh& mesh)
+{
+  return { equivalent_radius(surface_measures(scene.accuracy.basis, mesh).volume),
+    scene.membrane.bending_rigidity.value_or(1), scene.fluid.viscosity };
+}
+
+System system_of(const Scene& scene, const Scales& scales, const TriangleMesh& mesh)
+{
+  const Scene::Accuracy& accuracy = scene.accuracy;
+  auto space = std::make_unique<SurfaceSpace>(accuracy.basis, curvature_of(accuracy),
+    mesh.triangles, static_cast<int>(mesh.points.rows()), accuracy.quadrature);
+  Vesicle vesicle = make_vesicle(std::move(space), accuracy.quadrature);
+  vesicle.conserved = accuracy.scheme != Scene::Scheme::paper;
+  if (scene.membrane.bending_rigidity)
+    vesicle.terms.push_back(make_bending(*vesicle.space, 0));
+  if (scene.membrane.incompressible)
+    vesicle.incompressibility = make_incompressibility(*vesicle.space);
+  if (scene.gravity)
+    if (const double bond = bond_number(*scene.gravity, scales); bond != 0)
+      vesicle.terms.push_back(make_buoyancy(*vesicle.space, bond));
+
+  System system;
+  system.vesicles.push_back(std::move(vesicle));
+  if (scene.flow)
+    system.flow = scene.flow->dimensionless(scales.length, scales.velocity());
+  return system;
+}
+
+StepperSettings stepper_settings_of(const Scene& scene)
+{
+  StepperSettings settings;
+  settings.integrator = scene.accuracy.integrator;
+  settings.mesh_motion = scene.accuracy.mesh_motion;
+  settings.linear_tolerance = scene.accuracy.linear_tolerance;
+  // A step that the user has fixed is taken whatever its error is estimated at.
+  settings.limits.tolerance = scene.time.step ? INFINITY : scene.time.tolerance;
+  return settings;
+}
+
+OutputSchedule schedule_of(const Scene& scene)
+{
+  return { scene.time.output_every, scene.time.end };
+}
+
+}

@@ -1,0 +1,21 @@
+#pragma once
+// What is modelled of a scene: only what it names.
+
+#include "solver/dynamics/OutputSchedule.h"
+#include "solver/dynamics/Scales.h"
+#include "solver/dynamics/Stepper.h"
+#include "solver/scene/Scene.h"
+
+namespace vesicle
+{
+
+/// The units in which a scene is computed; `mesh` is its start mesh, in the scene's units.
+Scales scales_of(const Scene& scene, const TriangleMesh& mesh);
+
+/// The scene's vesicle on the triangles of its start mesh, and the flow, dimensionless.
+System system_of(const Scene& scene, const Scales& scales, const TriangleMesh& mesh);
+
+StepperSettings stepper_settings_of(const Scene& scene);
+OutputSchedule schedule_of(const Scene& scene);
+
+}

@@ -1,0 +1,95 @@
+#pragma once
+// The single layer of the Stokeslet, collocated at the vertices of one or several surfaces:
+// u(x_i) = (1/8πμ) ∮ G(x_i, y) f(y) dS(y), G = I/r + X Xᵀ/r³, X = y − x_i, paper (11)–(13), with
+// μ = 1. Anywhere else: FlowField.h.
+
+#include "solver/stokes/ForceDensity.h"
+#include "solver/stokes/LayerRules.h"
+
+#include <span>
+#include <vector>
+
+namespace vesicle
+{
+
+/// Row-major; rows (and columns, where they are components) have 3 entries a node.
+using DenseMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// A surface at one moment. `rules` must outlive the operator.
+struct LayerSurface
+{
+  const LayerRules* rules;
+  Points vertices, control; ///< collocation points and control points: the same on flat triangles
+};
+
+/// Force densities that numbers at the nodes stand for, one column of the operator each.
+///
+/// f = Σ N_k (F y)_k: the vectors F y at the nodes, F 3N by m. The three rows of a node have the
+/// same columns.
+struct NodalDensities
+{
+  const SparseMatrix& F;
+};
+/// One of these after the other, N columns each, on smooth surfaces, with the surface's own normal
+/// and mean curvature.
+struct SurfaceDensities
+{
+  enum class Kind
+  {
+    normal, ///< f = Σ φ_k N_k n
+    tension ///< f = Σ γ_k (∇_s N_k − 2 H N_k n): the tension's force density itself
+  };
+  std::vector<Kind> kinds;
+};
+
+/// Points of a rule at a shape; weight contains dS/8πμ.
+struct LayerPoints
+{
+  SurfacePoints surface;
+  Eigen::VectorXd weight;
+  LayerPoints(const BasisTable& table, const Points& control);
+};
+
+template<class Sources>
+struct RuleSources;
+
+/// Sets the geometry once; then densities are applied as often as wanted. Rows are the vertices of
+/// all surfaces, one after the other. Threads share the rows; results do not depend on their
+/// number.
+class StokesOperator
+{
+public:
+  explicit StokesOperator(std::vector<LayerSurface> surfaces);
+
+  /// All vertices.
+  int vertices() const { return first_.back(); }
+
+  /// The velocities that force densities make, one for each surface: 3N. A direct sum over the
+  /// regular rules of all surfaces, then the corrections near and at each surface's own vertices.
+  Eigen::VectorXd apply(std::span<const ForceDensity> densities) const;
+
+  /// The velocities that each density of surface `source` makes at all vertices: 3N by their
+  /// number.
+  DenseMatrix columns(int source, const NodalDensities& densities) const;
+  DenseMatrix columns(int source, const SurfaceDensities& densities) const;
+  /// Of all vectors at its nodes, f = Σ N_k f_k: 3N by 3N.
+  DenseMatrix matrix(int source) const;
+
+private:
+  template<class Sources, class Kernel, class Write>
+  void for_each_group(
+    int source, const RuleSources<Sources>& sources, Kernel kernel, Write write) const;
+
+  struct Rules
+  {
+    LayerPoints regular, near, singular;
+  };
+  std::vector<LayerSurface> surfaces_;
+  std::vector<Rules> points_; ///< of each surface
+  std::vector<int> first_;    ///< first vertex of each surface, and the number of all
+};
+
+/// y = A(:, first:) x over x.size() columns; rows in parallel, each summed in a fixed order.
+Eigen::VectorXd multiply(const DenseMatrix& A, const Eigen::VectorXd& x, Eigen::Index first = 0);
+
+}

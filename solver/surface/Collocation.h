@@ -1,0 +1,59 @@
+#pragma once
+// The map between control points and vertices: x = P c puts the vertices on the surface of the
+// control points c, velocities are collocated there, and everything that is known at the vertices
+// reaches the basis through P⁻¹. P is the identity on flat triangles.
+
+#include "solver/surface/Basis.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+
+namespace vesicle
+{
+
+/// Rows of a dense matrix in single precision, 3 a node: what preconditioners are made of.
+using RowsF = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Vectors have 3 entries a node (x, y, z interleaved), 3N in all.
+class Collocation
+{
+public:
+  explicit Collocation(const Basis& basis);
+  ~Collocation();
+  Collocation(Collocation&&) noexcept;
+
+  /// P: values at the vertices of a nodal scalar, N.
+  Eigen::VectorXd at_vertices(const Eigen::VectorXd& nodal) const;
+  /// P⁻¹ of N by m columns: what a field has at the control points from its values at the vertices.
+  Eigen::MatrixXd fit(const Eigen::MatrixXd& at_vertices) const;
+  /// P⁻¹ of a vector: velocities of the control points from those of the vertices.
+  Eigen::VectorXd to_control(const Eigen::VectorXd& at_vertices) const;
+  /// P⁻ᵀ of a vector: the gradient with respect to the vertices from that with respect to the
+  /// control points.
+  Eigen::VectorXd from_control(const Eigen::VectorXd& gradient) const;
+  /// P⁻¹ of each column of 3N by m velocities, to 0.2%: for preconditioning.
+  void to_control_roughly(Eigen::Ref<RowsF> velocities) const;
+
+private:
+  struct Factors;
+  SparseMatrix P_;
+  std::unique_ptr<const Factors> factors_; ///< none: P is the identity
+};
+
+/// 3N view of N by 3 points, and back.
+inline Eigen::Map<const Eigen::VectorXd> flat(const Points& points)
+{
+  return { points.data(), points.size() };
+}
+inline Points rows_of_three(const Eigen::VectorXd& vector)
+{
+  return Eigen::Map<const Points>(vector.data(), vector.size() / 3, 3);
+}
+/// Each row of `points` times its factor, as 3N.
+inline Eigen::VectorXd scaled_rows(const Points& points, const Eigen::VectorXd& factor)
+{
+  return flat((points.array().colwise() * factor.array()).matrix().eval());
+}
+
+}

@@ -1,0 +1,56 @@
+#include "solver/surface/StartShape.h"
+
+#include "solver/mesh/MeshIntegrals.h"
+#include "solver/mesh/shapes/Shapes.h"
+#include "solver/surface/SurfaceMeasures.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace vesicle
+{
+
+namespace
+{
+constexpr double reduced_volume_tolerance = 1e-7;
+constexpr int max_corrections = 12;
+}
+
+// make_shape gives the reduced volume to the flat triangles; the request is shifted until it holds
+// on Loop's surface (the difference hardly depends on the request, so a few corrections do).
+static TriangleMesh make_loop_shape(ShapeRequest request)
+{
+  const auto wanted = request.reduced_volume;
+  const bool adjustable = wanted && request.kind != ShapeRequest::Kind::sphere;
+  TriangleMesh mesh = make_shape(request);
+  SurfaceMeasures measures = surface_measures(SurfaceBasis::loop, mesh);
+  for (int sweep = 0; adjustable && sweep < max_corrections; ++sweep)
+  {
+    const double error = *wanted - reduced_volume(measures.area, measures.volume);
+    if (std::abs(error) < reduced_volume_tolerance)
+      break;
+    *request.reduced_volume += error;
+    mesh = make_shape(request);
+    measures = surface_measures(SurfaceBasis::loop, mesh);
+  }
+  mesh.points *= std::cbrt(4 * std::numbers::pi / (3 * measures.volume));
+  return mesh;
+}
+
+TriangleMesh make_start_shape(const ShapeRequest& request, SurfaceBasis basis)
+{
+  return basis == SurfaceBasis::linear ? make_shape(request) : make_loop_shape(request);
+}
+
+Eigen::Matrix3d turn_z_to(const Vector3& axis)
+{
+  return Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), axis).toRotationMatrix();
+}
+
+void place(TriangleMesh& shape, double radius, const Eigen::Matrix3d& turn, const Vector3& center)
+{
+  shape.points = (radius * shape.points * turn.transpose()).eval();
+  shape.points.rowwise() += center.transpose();
+}
+
+}

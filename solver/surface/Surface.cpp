@@ -1,0 +1,165 @@
+#include "solver/surface/Surface.h"
+
+#include "solver/surface/FittedCurvature.h"
+#include "solver/surface/LoopBasis.h"
+
+#include <Eigen/SparseCholesky>
+
+namespace vesicle
+{
+
+namespace
+{
+
+// Levels by which elements at extraordinary vertices are refined for the geometry, which costs
+// little.
+constexpr int smooth_grading = 3;
+constexpr int smooth_points = 6;
+constexpr int curvature_points = 3;
+
+std::unique_ptr<const Basis> make_basis(SurfaceBasis kind, const Triangles& triangles, int nodes)
+{
+  if (kind == SurfaceBasis::loop)
+    return std::make_unique<LoopBasis>(triangles, nodes);
+  return std::make_unique<LinearBasis>(triangles, nodes);
+}
+
+BasisTable make_curvature_table(const Basis& basis)
+{
+  return basis.smooth() ? tabulate_rule(basis, triangle_rule(curvature_points)) : BasisTable();
+}
+
+BasisTable make_table(const Basis& basis, int flat_points)
+{
+  return basis.smooth() ? tabulate_rule(basis, triangle_rule(smooth_points), smooth_grading)
+                        : tabulate_rule(basis, triangle_rule(flat_points));
+}
+
+}
+
+SurfaceSpace::SurfaceSpace(SurfaceBasis kind, const Triangles& triangles, int nodes, int points)
+  : SurfaceSpace(kind, kind == SurfaceBasis::loop ? VertexCurvature::weak : VertexCurvature::cotan,
+      triangles, nodes, points)
+{
+}
+
+SurfaceSpace::SurfaceSpace(
+  SurfaceBasis kind, VertexCurvature curvature, const Triangles& triangles, int nodes, int points)
+  : basis_(make_basis(kind, triangles, nodes)), curvature_(curvature),
+    table_(make_table(*basis_, points)), curvature_table_(make_curvature_table(*basis_)),
+    collocation_(*basis_)
+{
+}
+
+Surface::Surface(const SurfaceSpace& s, const Points& at)
+  : space(&s), vertices(at), control(rows_of_three(s.collocation().to_control(flat(at)))),
+    points(evaluate(s.table(), control)), area(vesicle::area(points)),
+    volume(vesicle::volume(s.table(), points)), center(centroid(s.table(), points)),
+    vertex_area(vertex_areas(s.table(), points)), normals(s.basis().vertex_normals(control)),
+    volume_gradient(s.collocation().from_control(vesicle::volume_gradient(s.table(), points))),
+    area_rate(area_rate_matrix(s.table(), points))
+{
+  const auto W = centroid_velocity_matrix(s.table(), points);
+  centroid_velocity.resize(3, W.cols());
+  for (int d = 0; d < 3; ++d)
+    centroid_velocity.row(d) = s.collocation().from_control(W.row(d).transpose()).transpose();
+  if (s.smooth())
+    curvature = point_curvature(s.table(), points, control);
+  else
+    cotan.emplace(vertices, s.triangles());
+}
+
+Eigen::VectorXd Surface::divergence(const Eigen::VectorXd& velocity) const
+{
+  return (area_rate * to_control(velocity)).cwiseQuotient(vertex_area);
+}
+
+Vector3 Surface::mean_velocity(const Eigen::VectorXd& velocity) const
+{
+  return centroid_velocity * velocity;
+}
+
+Eigen::VectorXd Surface::relative_to_centroid(const Eigen::VectorXd& velocity) const
+{
+  return velocity - mean_velocity(velocity).replicate(velocity.size() / 3, 1);
+}
+
+namespace
+{
+
+// ⟨H⟩ and ⟨K⟩ by projection, Δ_s H from that of the bending force 2 Δ_s H + 4 H (H² − K), whose
+// weak form needs no derivative beyond the second.
+Curvature weak_curvature(const Surface& surface)
+{
+  const BasisTable& table = surface.space->table();
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> mass{ Eigen::SparseMatrix<double>(
+    mass_matrix(table, surface.points)) };
+  const auto projected = [&](const Eigen::VectorXd& load) -> Eigen::VectorXd
+  { return surface.collocation().at_vertices(mass.solve(load)); };
+  Curvature c;
+  c.normal = surface.normals;
+  c.mean = projected(moments(table, surface.points, surface.curvature->mean));
+  c.gauss = projected(moments(table, surface.points, surface.curvature->gauss));
+  const BasisTable& coarse = surface.space->curvature_table();
+  const SurfacePoints points = evaluate(coarse, surface.control);
+  const Eigen::VectorXd force =
+    projected(bending_moments(coarse, points, point_curvature(coarse, points, surface.control)));
+  const auto H = c.mean.array();
+  c.laplacian_mean = force.array() / 2 - 2 * H * (H * H - c.gauss.array());
+  return c;
+}
+
+}
+
+Curvature vertex_curvature(const Surface& surface)
+{
+  switch (surface.space->curvature())
+  {
+    case VertexCurvature::paper:
+      return cotan_curvature(*surface.cotan, surface.vertices, NormalScheme::curvature);
+    case VertexCurvature::cotan:
+      return cotan_curvature(*surface.cotan, surface.vertices, NormalScheme::area_weighted);
+    case VertexCurvature::weak:
+      return weak_curvature(surface);
+    case VertexCurvature::fitted:
+      break;
+  }
+  return fitted_curvature({ surface.vertices, surface.space->triangles() }).curvature;
+}
+
+bool nearly_sphere(const Surface& surface)
+{
+  constexpr double deviation = 1e-3;
+  const Eigen::VectorXd radius =
+    (surface.vertices.rowwise() - surface.center.transpose()).rowwise().norm();
+  return radius.maxCoeff() - radius.minCoeff() < deviation * radius.mean();
+}
+
+AreaAndVolume area_and_volume(const SurfaceSpace& space, const Points& vertices)
+{
+  const BasisTable& table = space.table();
+  const Collocation& collocation = space.collocation();
+  const Points control = rows_of_three(collocation.to_control(flat(vertices)));
+  const SurfacePoints surface = evaluate(table, control);
+  const Eigen::VectorXd mass = vertex_areas(table, surface);
+  AreaAndVolume c{ area(surface), volume(table, surface),
+    collocation.from_control(
+      area_rate_matrix(table, surface).transpose() * Eigen::VectorXd::Ones(vertices.rows())),
+    collocation.from_control(volume_gradient(table, surface)), {}, {} };
+  if (space.smooth())
+  {
+    const Points normal = space.basis().vertex_normals(control);
+    const Eigen::VectorXd mean =
+      moments(table, surface, mean_curvature(table, surface, control)).cwiseQuotient(mass);
+    c.area_direction = scaled_rows(normal, 2 * mean);
+    c.volume_direction = flat(normal);
+  }
+  else
+  {
+    c.area_direction = scaled_rows(rows_of_three(c.area_gradient), mass.cwiseInverse());
+    c.volume_direction = scaled_rows(rows_of_three(c.volume_gradient), mass.cwiseInverse());
+  }
+  return c;
+}
+
+}

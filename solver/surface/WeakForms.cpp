@@ -1,0 +1,74 @@
+#include "solver/surface/WeakForms.h"
+
+namespace vesicle
+{
+
+namespace
+{
+
+using Row3 = Eigen::RowVector3d;
+
+}
+
+PointCurvature point_curvature(
+  const BasisTable& table, const SurfacePoints& s, const Points& control)
+{
+  PointCurvature c{ Eigen::VectorXd(table.rows()), Eigen::VectorXd(table.rows()),
+    std::vector<double>(table.node.size()) };
+  const SecondDerivatives second = second_derivatives(table, control);
+  for (int q = 0; q < table.rows(); ++q)
+  {
+    const Row3 uu = second.uu.row(q), uv = second.uv.row(q), vv = second.vv.row(q);
+    const Row3 a = s.tangent_u.row(q), b = s.tangent_v.row(q), cross = s.cross.row(q);
+    const double J = cross.norm(), g_uu = b.squaredNorm() / (J * J), g_uv = -a.dot(b) / (J * J),
+                 g_vv = a.squaredNorm() / (J * J);
+    const Row3 n = cross / J, dual_u = b.cross(n) / J, dual_v = n.cross(a) / J;
+    c.mean[q] = -0.5 * (g_uu * uu.dot(n) + 2 * g_uv * uv.dot(n) + g_vv * vv.dot(n));
+    c.gauss[q] = (uu.dot(n) * vv.dot(n) - uv.dot(n) * uv.dot(n)) / (J * J);
+    // a^{αβ} Γ^γ_{αβ}, Γ^γ_{αβ} = ∂_α∂_β x · a^γ.
+    const Row3 trace = g_uu * uu + 2 * g_uv * uv + g_vv * vv;
+    const double along_u = trace.dot(dual_u), along_v = trace.dot(dual_v);
+    for (int k = table.start[q]; k < table.start[q + 1]; ++k)
+      c.laplacian[k] = g_uu * table.duu[k] + 2 * g_uv * table.duv[k] + g_vv * table.dvv[k] -
+        along_u * table.du[k] - along_v * table.dv[k];
+  }
+  return c;
+}
+
+SparseMatrix mass_matrix(const BasisTable& table, const SurfacePoints& surface)
+{
+  return gram_matrix(table, surface, [&](int, int k) { return table.value[k]; });
+}
+
+SparseMatrix bilaplacian(
+  const BasisTable& table, const SurfacePoints& surface, const PointCurvature& c)
+{
+  return gram_matrix(table, surface, [&](int, int k) { return c.laplacian[k]; });
+}
+
+Eigen::VectorXd bending_moments(
+  const BasisTable& table, const SurfacePoints& surface, const PointCurvature& c, double c0)
+{
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(table.nodes);
+  for (int q = 0; q < table.rows(); ++q)
+  {
+    const double H = c.mean[q], excess = 2 * H - c0;
+    const double local = excess * (2 * H * H - 2 * c.gauss[q] + c0 * H);
+    for (int k = table.start[q]; k < table.start[q + 1]; ++k)
+      load[table.node[k]] +=
+        surface.area_weight[q] * (excess * c.laplacian[k] + local * table.value[k]);
+  }
+  return load;
+}
+
+Eigen::VectorXd moments(
+  const BasisTable& table, const SurfacePoints& surface, const Eigen::VectorXd& f)
+{
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(table.nodes);
+  for (int q = 0; q < table.rows(); ++q)
+    for (int k = table.start[q]; k < table.start[q + 1]; ++k)
+      result[table.node[k]] += surface.area_weight[q] * f[q] * table.value[k];
+  return result;
+}
+
+}
