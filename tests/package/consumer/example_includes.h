@@ -1,5 +1,5 @@
 #pragma once
-// What the README's C++ uses.
+// What the C++ of the documentation uses.
 
 #include "vtkVesicleCurvatureFilter.h"
 #include "vtkVesicleForceFilter.h"

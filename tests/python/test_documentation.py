@@ -1,0 +1,31 @@
+"""The Python examples of the README and of docs/filters.md run as they stand there."""
+
+import re
+import unittest
+
+from support import source_folder, temporary_folder
+
+PAGES = ("README.md", "docs/filters.md")
+
+
+def examples(page):
+    text = (source_folder / page).read_text()
+    return re.findall(r"^```python\n(.*?)^```", text, flags=re.MULTILINE | re.DOTALL)
+
+
+class Documentation(unittest.TestCase):
+    def test_has_examples(self):
+        self.assertGreaterEqual(len(examples("README.md")), 1)
+        self.assertGreaterEqual(len(examples("docs/filters.md")), 2)
+
+    def test_examples_run_and_leave_what_they_say(self):
+        for page in PAGES:
+            for code in examples(page):
+                with self.subTest(page=page, code=code), temporary_folder() as folder:
+                    exec(compile(code, page, "exec"), {"__name__": "__main__"})
+                    for name in re.findall(r'"(\w+\.(?:vtu|png))"\)', code):
+                        self.assertGreater((folder / name).stat().st_size, 1000, name)
+
+
+if __name__ == "__main__":
+    unittest.main()
