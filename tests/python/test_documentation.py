@@ -1,4 +1,4 @@
-"""The Python examples of the README and of docs/filters.md run as they stand there."""
+"""The Python examples of the README and of docs/filters.md run as they stand there, and links lead somewhere."""
 
 import re
 import unittest
@@ -25,6 +25,12 @@ class Documentation(unittest.TestCase):
                     exec(compile(code, page, "exec"), {"__name__": "__main__"})
                     for name in re.findall(r'"(\w+\.(?:vtu|png))"\)', code):
                         self.assertGreater((folder / name).stat().st_size, 1000, name)
+
+    def test_links_lead_somewhere(self):
+        for page in (source_folder / "README.md", *sorted((source_folder / "docs").glob("*.md"))):
+            for link in re.findall(r"\]\(([^)#:]+)\)", page.read_text()):
+                with self.subTest(page=page.name, link=link):
+                    self.assertTrue((page.parent / link).exists())
 
 
 if __name__ == "__main__":
