@@ -8,7 +8,7 @@ namespace vesicle
 enum class Scheme
 {
   paper, ///< as printed (misprints corrected)
-  robust ///< Galerkin loads, adjoint tension, volume row (numerics of the README)
+  robust ///< Galerkin loads, adjoint tension, volume row (docs/numerics.md)
 };
 
 enum class Integrator
