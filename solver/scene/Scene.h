@@ -40,6 +40,7 @@ struct Scene
   struct Membrane
   {
     std::optional<double> bending_rigidity; ///< EB; empty: no bending
+    double spontaneous_curvature = 0;       ///< c0 of E = (EB/2) ∮ (2H − c0)² dS
     bool incompressible = true;             ///< false: no tension
   } membrane;
 

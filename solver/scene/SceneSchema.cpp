@@ -97,10 +97,20 @@ SceneTable membrane_table()
   table.help = "What the membrane resists.";
   table.keys = {
     key("bending_rigidity", at(&Scene::membrane, &Membrane::bending_rigidity),
-      rules::Number{ rigidity }, "energy", "EB of the energy E = (EB/2) ∮ (2H)² dS")
+      rules::Number{ rigidity }, "energy", "EB of the energy E = (EB/2) ∮ (2H − c0)² dS")
       .otherwise("no bending"),
+    key("spontaneous_curvature", at(&Scene::membrane, &Membrane::spontaneous_curvature),
+      rules::Number{ any_number }, "1/length",
+      "c0, the 2H that bending prefers; needs bending_rigidity")
+      .written_if([](const Scene& scene) { return scene.membrane.bending_rigidity.has_value(); }),
     key("incompressible", at(&Scene::membrane, &Membrane::incompressible), rules::Flag{}, "",
       "a tension keeps the area of every patch; false: no tension"),
+  };
+  table.check = [](const TableReader& reader, const Scene& scene)
+  {
+    if (!scene.membrane.bending_rigidity && reader.has("spontaneous_curvature"))
+      reader.fail("spontaneous_curvature", "does nothing without bending",
+        "a number, beside bending_rigidity");
   };
   return table;
 }

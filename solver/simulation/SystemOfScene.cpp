@@ -45,7 +45,8 @@ System system_of(const Scene& scene, const Scales& scales, const TriangleMesh& m
   Vesicle vesicle = make_vesicle(std::move(space), accuracy.quadrature);
   vesicle.conserved = accuracy.scheme != Scene::Scheme::paper;
   if (scene.membrane.bending_rigidity)
-    vesicle.terms.push_back(make_bending(*vesicle.space, 0));
+    vesicle.terms.push_back(
+      make_bending(*vesicle.space, scene.membrane.spontaneous_curvature * scales.length));
   if (scene.membrane.incompressible)
     vesicle.incompressibility = make_incompressibility(*vesicle.space);
   if (scene.gravity)

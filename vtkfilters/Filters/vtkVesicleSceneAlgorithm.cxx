@@ -48,6 +48,7 @@ Scene vtkVesicleSceneAlgorithm::MakeScene()
   if (this->BendingRigidity > 0)
   {
     scene.membrane.bending_rigidity = this->BendingRigidity;
+    scene.membrane.spontaneous_curvature = this->SpontaneousCurvature;
   }
   scene.membrane.incompressible = this->Incompressible;
   scene.fluid.viscosity = this->Viscosity;
@@ -79,6 +80,7 @@ void vtkVesicleSceneAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   const auto print = [&](const char* name, const double* v)
   { os << indent << name << ": " << v[0] << ' ' << v[1] << ' ' << v[2] << '\n'; };
   os << indent << "BendingRigidity: " << this->BendingRigidity << '\n';
+  os << indent << "SpontaneousCurvature: " << this->SpontaneousCurvature << '\n';
   os << indent << "Incompressible: " << (this->Incompressible ? "on" : "off") << '\n';
   os << indent << "Viscosity: " << this->Viscosity << '\n';
   os << indent << "FlowKind: " << flow_title(this->FlowKind) << '\n';

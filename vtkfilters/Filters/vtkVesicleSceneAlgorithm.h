@@ -62,6 +62,14 @@ public:
 
   ///@{
   /**
+   * c0 of the bending energy (EB/2) times the integral of (2H - c0)^2, one over a length. Default: 0.
+   */
+  vtkSetMacro(SpontaneousCurvature, double);
+  vtkGetMacro(SpontaneousCurvature, double);
+  ///@}
+
+  ///@{
+  /**
    * Whether the membrane's area is kept everywhere by a tension. Default: on.
    */
   vtkSetMacro(Incompressible, bool);
@@ -174,6 +182,7 @@ protected:
 #endif
 
   double BendingRigidity = 1;
+  double SpontaneousCurvature = 0;
   bool Incompressible = true;
   double Viscosity = 1;
   int FlowKind = AtRest;

@@ -187,6 +187,9 @@ const std::vector<Case> cases{
   { "bending_negative", with_sphere("[membrane]\nbending_rigidity = -1"),
     { "s.toml:4: key 'membrane.bending_rigidity': can't be -1; allowed: a number > 0; leave the "
       "key out" } },
+  { "curvature_without_bending", with_sphere("[membrane]\nspontaneous_curvature = 1"),
+    { "s.toml:4: key 'membrane.spontaneous_curvature': does nothing without bending; allowed: a "
+      "number, beside bending_rigidity" } },
   { "incompressible_number", with_sphere("[membrane]\nincompressible = 1"),
     { "s.toml:4: key 'membrane.incompressible': must be true or false, is the integer 1; allowed: "
       "true, "

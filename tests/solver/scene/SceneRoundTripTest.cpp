@@ -47,6 +47,7 @@ void expect_same(const Scene& a, const Scene& b)
   EXPECT_EQ(va.center, vb.center);
 
   EXPECT_EQ(a.membrane.bending_rigidity, b.membrane.bending_rigidity);
+  EXPECT_EQ(a.membrane.spontaneous_curvature, b.membrane.spontaneous_curvature);
   EXPECT_EQ(a.membrane.incompressible, b.membrane.incompressible);
   EXPECT_EQ(a.fluid.viscosity, b.fluid.viscosity);
 
@@ -204,6 +205,7 @@ TEST(SceneRoundTrip, EverySetting)
     center = [0.1, -0.0, 1e-300]
     [membrane]
     bending_rigidity = 1.7e-19
+    spontaneous_curvature = -2.5e5
     incompressible = false
     [fluid]
     viscosity = 1e-3
