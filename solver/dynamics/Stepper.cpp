@@ -259,7 +259,7 @@ State Stepper::attempt(const State& before, StepReport& report)
   const Eigen::VectorXd relative = relative_to_centroids(*start, velocity_of(before));
   report.displacement = largest_displacement(*start, dt * relative, neighbours_);
   if (settings_.integrator == Integrator::imex_midpoint)
-    advance_midpoint(before, after, *start, relative, report);
+    advance_midpoint(before, after, relative, report);
   else
     for (VesicleState& vesicle : after.vesicles)
       vesicle.points += dt * vesicle.node_velocity;
@@ -267,8 +267,8 @@ State Stepper::attempt(const State& before, StepReport& report)
   return after;
 }
 
-void Stepper::advance_midpoint(const State& before, State& after, const SystemShape&,
-  const Eigen::VectorXd& relative, StepReport& report)
+void Stepper::advance_midpoint(
+  const State& before, State& after, const Eigen::VectorXd& relative, StepReport& report)
 {
   const double dt = before.controller.next_step;
   std::vector<Points> halfway = points_of(before);

@@ -76,8 +76,8 @@ private:
   void restore_preconditioner(const State& state);
   double implicit_fraction() const;
   std::vector<Points> node_velocities(const Stage& stage) const;
-  void advance_midpoint(const State& before, State& after, const SystemShape& start,
-    const Eigen::VectorXd& relative, StepReport& report);
+  void advance_midpoint(
+    const State& before, State& after, const Eigen::VectorXd& relative, StepReport& report);
   void restore_area_and_volume(State& after, const SystemShape& start, StepReport& report);
 
   System system_;
