@@ -1,6 +1,5 @@
 #include "solver/stokes/StokesOperator.h"
 
-#include "solver/stokes/DirectSum.h"
 #include "solver/stokes/StokesletKernel.h"
 
 #include <tbb/blocked_range.h>
@@ -78,30 +77,16 @@ std::vector<int> special_elements(const Group& group, const LayerRules& rules)
   return special;
 }
 
-/// All rows of a surface for targets of its own: regular ones of elements that don't touch a
-/// target, those next to it by the near rule, the target's Duffy rows; add(sources, begin, end,
-/// mask).
+/// Of the elements next to a target the near rule's rows, of those that touch it its Duffy rows;
+/// add(sources, begin, end, mask).
 template<class Sources, class Add>
-void add_own_rows(
-  const Group& group, const LayerRules& rules, const RuleSources<Sources>& sources, Add add)
+void add_near_and_singular(const Group& group, const LayerRules& rules,
+  const std::vector<int>& special, const RuleSources<Sources>& sources, Add add)
 {
-  const std::vector<int>&regular = rules.regular().start, &near = rules.near().start;
-  int row = 0;
-  for (int e : special_elements(group, rules))
-  {
-    add(sources.regular, row, regular[e], all_lanes());
-    row = regular[e + 1];
-    const LaneMask touching = lanes_of(group, rules.touching(), e),
-                   close = lanes_of(group, rules.close(), e);
-    LaneMask others;
-    for (int lane = 0; lane < lanes; ++lane)
-      others[lane] = 1 - touching[lane] - close[lane];
-    if (others != LaneMask{})
-      add(sources.regular, regular[e], row, others);
-    if (close != LaneMask{})
+  const std::vector<int>& near = rules.near().start;
+  for (int e : special)
+    if (const LaneMask close = lanes_of(group, rules.close(), e); close != LaneMask{})
       add(sources.near, near[e], near[e + 1], close);
-  }
-  add(sources.regular, row, regular.back(), all_lanes());
   for (int lane = 0; lane < group.count; ++lane)
   {
     LaneMask only{};
@@ -111,30 +96,53 @@ void add_own_rows(
   }
 }
 
+/// Lanes whose target is next to an element or touches it.
+LaneMask lanes_at(const Group& group, const LayerRules& rules, int element)
+{
+  LaneMask at = lanes_of(group, rules.touching(), element);
+  const LaneMask close = lanes_of(group, rules.close(), element);
+  for (int lane = 0; lane < lanes; ++lane)
+    at[lane] += close[lane];
+  return at;
+}
+
+/// All rows of a surface for targets of its own.
+template<class Sources, class Add>
+void add_own_rows(
+  const Group& group, const LayerRules& rules, const RuleSources<Sources>& sources, Add add)
+{
+  const std::vector<int>& regular = rules.regular().start;
+  const std::vector<int> special = special_elements(group, rules);
+  int row = 0;
+  for (int e : special)
+  {
+    add(sources.regular, row, regular[e], all_lanes());
+    row = regular[e + 1];
+    LaneMask others = lanes_at(group, rules, e);
+    for (double& lane : others)
+      lane = 1 - lane;
+    if (others != LaneMask{})
+      add(sources.regular, regular[e], row, others);
+  }
+  add(sources.regular, row, regular.back(), all_lanes());
+  add_near_and_singular(group, rules, special, sources, add);
+}
+
 /// The difference between a surface's rows for targets of its own and all of its regular ones.
 template<class Sources, class Add>
 void add_corrections(
   const Group& group, const LayerRules& rules, const RuleSources<Sources>& sources, Add add)
 {
-  const std::vector<int>&regular = rules.regular().start, &near = rules.near().start;
-  for (int e : special_elements(group, rules))
+  const std::vector<int>& regular = rules.regular().start;
+  const std::vector<int> special = special_elements(group, rules);
+  for (int e : special)
   {
-    const LaneMask touching = lanes_of(group, rules.touching(), e),
-                   close = lanes_of(group, rules.close(), e);
-    LaneMask minus;
-    for (int lane = 0; lane < lanes; ++lane)
-      minus[lane] = -touching[lane] - close[lane];
+    LaneMask minus = lanes_at(group, rules, e);
+    for (double& lane : minus)
+      lane = -lane;
     add(sources.regular, regular[e], regular[e + 1], minus);
-    if (close != LaneMask{})
-      add(sources.near, near[e], near[e + 1], close);
   }
-  for (int lane = 0; lane < group.count; ++lane)
-  {
-    LaneMask only{};
-    only[lane] = 1;
-    const int* start = rules.singular().start.data() + group.target[lane];
-    add(sources.singular, start[0], start[1], only);
-  }
+  add_near_and_singular(group, rules, special, sources, add);
 }
 
 /// A rule's points at a shape, as kernels read them that scatter to nodes.
@@ -191,8 +199,8 @@ LayerPoints::LayerPoints(const BasisTable& table, const Points& control)
 {
 }
 
-StokesOperator::StokesOperator(std::vector<LayerSurface> surfaces)
-  : surfaces_(std::move(surfaces)), first_{ 0 }
+StokesOperator::StokesOperator(std::vector<LayerSurface> surfaces, FarSum far)
+  : surfaces_(std::move(surfaces)), first_{ 0 }, add_far_(std::move(far))
 {
   for (const LayerSurface& s : surfaces_)
   {
@@ -347,7 +355,7 @@ Eigen::VectorXd StokesOperator::apply(std::span<const ForceDensity> densities) c
     const LoadedPoints far(rules.regular().table, regular, densities[s]),
       close(rules.near().table, near, densities[s]),
       own(rules.singular().table, singular, densities[s]);
-    add_direct_sum(far.sources, targets, velocity);
+    add_far_(far.sources, targets, velocity);
     const RuleSources<ForceSources> sources{ far.sources, close.sources, own.sources };
     tbb::parallel_for(0, group_count(surfaces_[s]),
       [&](int number)

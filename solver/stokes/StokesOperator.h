@@ -3,6 +3,7 @@
 // u(x_i) = (1/8πμ) ∮ G(x_i, y) f(y) dS(y), G = I/r + X Xᵀ/r³, X = y − x_i, paper (11)–(13), with
 // μ = 1. Anywhere else: FlowField.h.
 
+#include "solver/stokes/FarSum.h"
 #include "solver/stokes/ForceDensity.h"
 #include "solver/stokes/LayerRules.h"
 
@@ -59,13 +60,13 @@ struct RuleSources;
 class StokesOperator
 {
 public:
-  explicit StokesOperator(std::vector<LayerSurface> surfaces);
+  explicit StokesOperator(std::vector<LayerSurface> surfaces, FarSum far = add_direct_sum);
 
   /// All vertices.
   int vertices() const { return first_.back(); }
 
-  /// The velocities that force densities make, one for each surface: 3N. A direct sum over the
-  /// regular rules of all surfaces, then the corrections near and at each surface's own vertices.
+  /// The velocities that force densities make, one for each surface: 3N. The sum over the
+  /// regular rules of all surfaces by the far sum, then the corrections near and at each surface's own vertices.
   Eigen::VectorXd apply(std::span<const ForceDensity> densities) const;
 
   /// The velocities that each density of surface `source` makes at all vertices: 3N by their
@@ -87,6 +88,7 @@ private:
   std::vector<LayerSurface> surfaces_;
   std::vector<Rules> points_; ///< of each surface
   std::vector<int> first_;    ///< first vertex of each surface, and the number of all
+  FarSum add_far_;            ///< of apply
 };
 
 /// y = A(:, first:) x over x.size() columns; rows in parallel, each summed in a fixed order.

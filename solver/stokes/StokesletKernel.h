@@ -1,5 +1,7 @@
 #pragma once
-// The inner loops, compiled for several instruction sets and chosen at run time.
+// The inner loops, compiled for several instruction sets and chosen at run time. Hidden: where a
+// program and a shared library both hold the solver each must choose its own, since the choice is
+// made while they are being loaded.
 
 #include <numbers>
 
@@ -26,8 +28,8 @@ struct StokesletSources
 /// For every entry (row, node k, N_k) of rows [begin, end), the components xx, xy, xz, yy, yz, zz
 /// of weight · N_k · G are added to sum[(6 k + component) · lanes + lane]. `targets` holds x, y, z
 /// of the lanes (3 · lanes); `mask` (lanes) multiplies the weight.
-void add_stokeslets(const StokesletSources& sources, int begin, int end, const double* targets,
-  const double* mask, double* sum);
+[[gnu::visibility("hidden")]] void add_stokeslets(const StokesletSources& sources, int begin,
+  int end, const double* targets, const double* mask, double* sum);
 
 /// Source points with the surface's geometry.
 struct SurfaceSources : StokesletSources
@@ -41,8 +43,8 @@ struct SurfaceSources : StokesletSources
 
 /// As above with, instead of G's components, the velocities of N_k n (3) and of ∇_s N_k − 2 H N_k n
 /// (3).
-void add_surface_densities(const SurfaceSources& sources, int begin, int end, const double* targets,
-  const double* mask, double* sum);
+[[gnu::visibility("hidden")]] void add_surface_densities(const SurfaceSources& sources, int begin,
+  int end, const double* targets, const double* mask, double* sum);
 
 /// Source points with a known force.
 struct ForceSources : StokesletSources
@@ -54,10 +56,10 @@ struct ForceSources : StokesletSources
 
 /// Rows [begin, end) are added up: Σ weight G f (3 components) and Σ weight X·n/r³, X from the
 /// target to the source, are added to sum[component · lanes + lane].
-void add_velocities(const ForceSources& sources, int begin, int end, const double* targets,
-  const double* mask, double* sum);
+[[gnu::visibility("hidden")]] void add_velocities(const ForceSources& sources, int begin, int end,
+  const double* targets, const double* mask, double* sum);
 
 /// Σ a_i b_i.
-double dot(const double* a, const double* b, long n);
+[[gnu::visibility("hidden")]] double dot(const double* a, const double* b, long n);
 
 }

@@ -1,7 +1,7 @@
 #pragma once
 // Running `vesicle` as a user does.
 
-#include "tests/vtkfilters/TemporaryFolder.h"
+#include "tests/support/TemporaryFolder.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,8 @@
 #pragma once
-// Surfaces, pictures and folders for the rendering tests, which all run without an X server.
+// Surfaces and pictures for the rendering tests, which all run without an X server.
 
 #include "render/Picture.h"
+#include "tests/support/TemporaryFolder.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
@@ -14,7 +15,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <set>
 #include <unistd.h>
 
@@ -114,30 +114,6 @@ inline double difference(vtkImageData* a, vtkImageData* b, double from = 0, doub
   }
   return static_cast<double>(different) / all;
 }
-
-/// A folder that goes away with the test.
-class TemporaryFolder
-{
-public:
-  TemporaryFolder()
-  {
-    std::string name = (std::filesystem::temp_directory_path() / "vesicle-render-XXXXXX").string();
-    path_ = mkdtemp(name.data());
-  }
-  ~TemporaryFolder()
-  {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  const std::filesystem::path& path() const { return path_; }
-
-private:
-  std::filesystem::path path_;
-};
 
 /// The message of the Error that work throws; empty when it throws nothing.
 template<typename Error, typename Work>

@@ -1,7 +1,5 @@
 #include "vtkfilters/Filters/MeshFiles.h"
 
-#include "TemporaryFolder.h"
-
 #include "vtkfilters/Filters/MeshConversion.h"
 
 #include "solver/Errors.h"
@@ -9,6 +7,7 @@
 #include "solver/mesh/Topology.h"
 #include "solver/mesh/shapes/GeodesicSphere.h"
 #include "tests/solver/support/FullDisk.h"
+#include "tests/support/TemporaryFolder.h"
 
 #include "vtkPolyData.h"
 

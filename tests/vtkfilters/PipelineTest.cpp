@@ -1,6 +1,5 @@
 // The filters among VTK's own: in pipelines, by several threads, asked twice, printed.
-#include "TemporaryFolder.h"
-
+#include "tests/support/TemporaryFolder.h"
 #include "vtkfilters/Filters/MeshConversion.h"
 #include "vtkfilters/Filters/MeshFiles.h"
 #include "vtkfilters/Filters/VtkMessages.h"

@@ -1,10 +1,10 @@
 #include "vtkVesicleProbeFilter.h"
 
-#include "TemporaryFolder.h"
-
 #include "solver/flow/Uniform.h"
 #include "solver/scene/SceneFile.h"
+#include "solver/stokes/MembraneFlow.h"
 #include "tests/solver/support/TestMeshes.h"
+#include "tests/support/TemporaryFolder.h"
 #include "vtkfilters/Filters/MeshConversion.h"
 #include "vtkfilters/Filters/SceneNumbers.h"
 #include "vtkfilters/Filters/SeriesWriter.h"
@@ -162,6 +162,21 @@ TEST(ProbeFilter, VelocityOfTheMembraneItself)
   const Points probed = velocity_at(to_mesh(vesicle).points, vesicle);
   EXPECT_LT(
     (probed - expected).rowwise().norm().maxCoeff(), 0.01 * expected.rowwise().norm().maxCoeff());
+}
+
+// With the solver that is linked to this program, beside the one in the filters' library.
+TEST(ProbeFilter, TheSameAsTheSolverItself)
+{
+  const TriangleMesh mesh = smooth_sphere(1280);
+  const Points force = Eigen::RowVector3d(0, 0, 3).replicate(mesh.points.rows(), 1);
+  const FlowField flow = membrane_flow(mesh, SurfaceBasis::linear, { force, {}, {} });
+  const Points points = 1.5 * smooth_sphere(80).points;
+  const double viscosity = 2;
+  EXPECT_LT(
+    (velocity_at(points, solid_sphere(Scene::Basis::linear)) - flow.at(points).velocity / viscosity)
+      .cwiseAbs()
+      .maxCoeff(),
+    1e-14);
 }
 
 TEST(ProbeFilter, AFrameOfTheSeriesIsEnough)

@@ -1,13 +1,12 @@
 #include "vtkfilters/Filters/SeriesWriter.h"
 
-#include "TemporaryFolder.h"
-
 #include "vtkfilters/Filters/MeshConversion.h"
 
 #include "solver/Errors.h"
 #include "solver/files/FileBytes.h"
 #include "solver/mesh/shapes/GeodesicSphere.h"
 #include "tests/solver/support/FullDisk.h"
+#include "tests/support/TemporaryFolder.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"

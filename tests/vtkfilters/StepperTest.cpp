@@ -1,7 +1,6 @@
 #include "vtkVesicleStepper.h"
 
-#include "TemporaryFolder.h"
-
+#include "tests/support/TemporaryFolder.h"
 #include "vtkfilters/Filters/MeshConversion.h"
 #include "vtkfilters/Filters/VtkMessages.h"
 

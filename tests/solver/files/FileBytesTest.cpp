@@ -2,7 +2,7 @@
 
 #include "solver/Errors.h"
 #include "tests/solver/support/FullDisk.h"
-#include "tests/vtkfilters/TemporaryFolder.h"
+#include "tests/support/TemporaryFolder.h"
 
 #include <gtest/gtest.h>
 

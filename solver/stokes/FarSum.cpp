@@ -1,4 +1,4 @@
-#include "solver/stokes/DirectSum.h"
+#include "solver/stokes/FarSum.h"
 
 #include <tbb/parallel_for.h>
 
