@@ -39,9 +39,11 @@ struct Scene
 
   struct Membrane
   {
-    std::optional<double> bending_rigidity; ///< EB; empty: no bending
-    double spontaneous_curvature = 0;       ///< c0 of E = (EB/2) ∮ (2H − c0)² dS
-    bool incompressible = true;             ///< false: no tension
+    std::optional<double> bending_rigidity;          ///< EB; empty: no bending
+    double spontaneous_curvature = 0;                ///< c0 of E = (EB/2) ∮ (2H − c0)² dS
+    std::optional<double> area_difference_stiffness; ///< α, in EB; empty: no such elasticity
+    double area_difference = 1;                      ///< m0 of ∮ H dS/√(4πA), 1 on a sphere
+    bool incompressible = true;                      ///< false: no tension
   } membrane;
 
   struct Fluid

@@ -67,8 +67,8 @@ inline const std::vector<std::string> chart_names{ "none", "energy", "inclinatio
 
 /// The point arrays that a run can write.
 inline const std::vector<std::string> field_names{ "Mean_Curvature", "Gauss_Curvature",
-  "Laplacian_Mean_Curvature", "Normals", "Bending_Force", "Tension", "Tension_Force",
-  "Membrane_Force", "Gravity_Force", "Velocity", "Surface_Divergence" };
+  "Laplacian_Mean_Curvature", "Normals", "Bending_Force", "Area_Difference_Force", "Tension",
+  "Tension_Force", "Membrane_Force", "Gravity_Force", "Velocity", "Surface_Divergence" };
 
 template<class Choices, class Choice>
 std::string name_of(const Choices& choices, Choice choice)

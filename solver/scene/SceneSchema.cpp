@@ -103,6 +103,15 @@ SceneTable membrane_table()
       rules::Number{ any_number }, "1/length",
       "c0, the 2H that bending prefers; needs bending_rigidity")
       .written_if([](const Scene& scene) { return scene.membrane.bending_rigidity.has_value(); }),
+    key("area_difference_stiffness", at(&Scene::membrane, &Membrane::area_difference_stiffness),
+      rules::Number{ positive }, "bending_rigidity",
+      "α of the energy 8π² α EB (m − m0)², m = ∮ H dS/√(4πA); needs bending_rigidity")
+      .otherwise("leaflets exchange area freely"),
+    key("area_difference", at(&Scene::membrane, &Membrane::area_difference),
+      rules::Number{ any_number }, "",
+      "m0, the m that the leaflets' areas prefer, a sphere's is 1; needs area_difference_stiffness")
+      .written_if(
+        [](const Scene& scene) { return scene.membrane.area_difference_stiffness.has_value(); }),
     key("incompressible", at(&Scene::membrane, &Membrane::incompressible), rules::Flag{}, "",
       "a tension keeps the area of every patch; false: no tension"),
   };
@@ -111,6 +120,13 @@ SceneTable membrane_table()
     if (!scene.membrane.bending_rigidity && reader.has("spontaneous_curvature"))
       reader.fail("spontaneous_curvature", "does nothing without bending",
         "a number, beside bending_rigidity");
+    if (!scene.membrane.bending_rigidity && reader.has("area_difference_stiffness"))
+      reader.fail("area_difference_stiffness",
+        "is counted in the bending rigidity, which isn't there",
+        "a number > 0, beside bending_rigidity");
+    if (!scene.membrane.area_difference_stiffness && reader.has("area_difference"))
+      reader.fail("area_difference", "does nothing without area_difference_stiffness",
+        "a number, beside area_difference_stiffness");
   };
   return table;
 }

@@ -1,5 +1,6 @@
 #include "solver/simulation/SystemOfScene.h"
 
+#include "solver/membrane/AreaDifference.h"
 #include "solver/membrane/Buoyancy.h"
 #include "solver/membrane/HelfrichBending.h"
 #include "solver/surface/SurfaceMeasures.h"
@@ -47,6 +48,9 @@ System system_of(const Scene& scene, const Scales& scales, const TriangleMesh& m
   if (scene.membrane.bending_rigidity)
     vesicle.terms.push_back(
       make_bending(*vesicle.space, scene.membrane.spontaneous_curvature * scales.length));
+  if (scene.membrane.area_difference_stiffness)
+    vesicle.terms.push_back(std::make_unique<AreaDifference>(
+      *scene.membrane.area_difference_stiffness, scene.membrane.area_difference));
   if (scene.membrane.incompressible)
     vesicle.incompressibility = make_incompressibility(*vesicle.space);
   if (scene.gravity)

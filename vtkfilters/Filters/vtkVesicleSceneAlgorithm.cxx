@@ -49,6 +49,11 @@ Scene vtkVesicleSceneAlgorithm::MakeScene()
   {
     scene.membrane.bending_rigidity = this->BendingRigidity;
     scene.membrane.spontaneous_curvature = this->SpontaneousCurvature;
+    if (this->AreaDifferenceStiffness > 0)
+    {
+      scene.membrane.area_difference_stiffness = this->AreaDifferenceStiffness;
+      scene.membrane.area_difference = this->AreaDifference;
+    }
   }
   scene.membrane.incompressible = this->Incompressible;
   scene.fluid.viscosity = this->Viscosity;
@@ -81,6 +86,8 @@ void vtkVesicleSceneAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   { os << indent << name << ": " << v[0] << ' ' << v[1] << ' ' << v[2] << '\n'; };
   os << indent << "BendingRigidity: " << this->BendingRigidity << '\n';
   os << indent << "SpontaneousCurvature: " << this->SpontaneousCurvature << '\n';
+  os << indent << "AreaDifferenceStiffness: " << this->AreaDifferenceStiffness << '\n';
+  os << indent << "AreaDifference: " << this->AreaDifference << '\n';
   os << indent << "Incompressible: " << (this->Incompressible ? "on" : "off") << '\n';
   os << indent << "Viscosity: " << this->Viscosity << '\n';
   os << indent << "FlowKind: " << flow_title(this->FlowKind) << '\n';

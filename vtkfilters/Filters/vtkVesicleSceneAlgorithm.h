@@ -70,6 +70,23 @@ public:
 
   ///@{
   /**
+   * Area-difference elasticity: alpha of the energy 8 pi^2 alpha EB (m - m0)^2, m the integral of H
+   * over sqrt(4 pi A), 1 on a sphere. Default: 0, none.
+   */
+  vtkSetClampMacro(AreaDifferenceStiffness, double, 0, VTK_DOUBLE_MAX);
+  vtkGetMacro(AreaDifferenceStiffness, double);
+  ///@}
+
+  ///@{
+  /**
+   * m0 of that energy. Default: 1.
+   */
+  vtkSetMacro(AreaDifference, double);
+  vtkGetMacro(AreaDifference, double);
+  ///@}
+
+  ///@{
+  /**
    * Whether the membrane's area is kept everywhere by a tension. Default: on.
    */
   vtkSetMacro(Incompressible, bool);
@@ -183,6 +200,8 @@ protected:
 
   double BendingRigidity = 1;
   double SpontaneousCurvature = 0;
+  double AreaDifferenceStiffness = 0;
+  double AreaDifference = 1;
   bool Incompressible = true;
   double Viscosity = 1;
   int FlowKind = AtRest;

@@ -190,6 +190,12 @@ const std::vector<Case> cases{
   { "curvature_without_bending", with_sphere("[membrane]\nspontaneous_curvature = 1"),
     { "s.toml:4: key 'membrane.spontaneous_curvature': does nothing without bending; allowed: a "
       "number, beside bending_rigidity" } },
+  { "area_difference_without_bending", with_sphere("[membrane]\narea_difference_stiffness = 1"),
+    { "s.toml:4: key 'membrane.area_difference_stiffness': is counted in the bending rigidity, "
+      "which isn't there; allowed: a number > 0, beside bending_rigidity" } },
+  { "area_difference_alone", with_sphere("[membrane]\narea_difference = 1"),
+    { "s.toml:4: key 'membrane.area_difference': does nothing without area_difference_stiffness; "
+      "allowed: a number, beside area_difference_stiffness" } },
   { "incompressible_number", with_sphere("[membrane]\nincompressible = 1"),
     { "s.toml:4: key 'membrane.incompressible': must be true or false, is the integer 1; allowed: "
       "true, "

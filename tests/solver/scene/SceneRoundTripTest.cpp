@@ -48,6 +48,8 @@ void expect_same(const Scene& a, const Scene& b)
 
   EXPECT_EQ(a.membrane.bending_rigidity, b.membrane.bending_rigidity);
   EXPECT_EQ(a.membrane.spontaneous_curvature, b.membrane.spontaneous_curvature);
+  EXPECT_EQ(a.membrane.area_difference_stiffness, b.membrane.area_difference_stiffness);
+  EXPECT_EQ(a.membrane.area_difference, b.membrane.area_difference);
   EXPECT_EQ(a.membrane.incompressible, b.membrane.incompressible);
   EXPECT_EQ(a.fluid.viscosity, b.fluid.viscosity);
 
@@ -206,6 +208,8 @@ TEST(SceneRoundTrip, EverySetting)
     [membrane]
     bending_rigidity = 1.7e-19
     spontaneous_curvature = -2.5e5
+    area_difference_stiffness = 1.4
+    area_difference = 1.2
     incompressible = false
     [fluid]
     viscosity = 1e-3

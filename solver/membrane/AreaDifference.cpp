@@ -1,0 +1,34 @@
+#include "solver/membrane/AreaDifference.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace vesicle
+{
+
+using std::numbers::pi;
+
+double integrated_mean_curvature(const Surface& surface)
+{
+  if (surface.space->smooth())
+    return surface.points.area_weight.dot(surface.curvature->mean);
+  return surface.cotan->vertex_area.dot(vertex_curvature(surface).mean);
+}
+
+double AreaDifference::energy(const Surface& surface) const
+{
+  const double m = integrated_mean_curvature(surface) / std::sqrt(4 * pi * surface.area);
+  return 8 * pi * pi * alpha_ * std::pow(m - m0_, 2);
+}
+
+TermForce AreaDifference::force(const Surface& surface) const
+{
+  const double root = std::sqrt(4 * pi * surface.area);
+  const double m = integrated_mean_curvature(surface) / root;
+  const Curvature curvature = vertex_curvature(surface);
+  const Eigen::VectorXd density = -16 * pi * pi * alpha_ * (m - m0_) *
+    (curvature.gauss / root - m / surface.area * curvature.mean);
+  return { { surface.collocation().fit(density), {} }, {} };
+}
+
+}
