@@ -1,6 +1,5 @@
 #include "apps/CsvFile.h"
 
-#include "solver/Errors.h"
 #include "solver/dynamics/Diagnostics.h"
 #include "solver/files/FileBytes.h"
 
@@ -29,26 +28,32 @@ std::string line_of(const Row& row)
   return line + '\n';
 }
 
-}
-
-CsvFile::CsvFile(std::filesystem::path file, const std::vector<Row>& rows) : file_(std::move(file))
+OpenFile written(const std::filesystem::path& file, const std::vector<Row>& rows)
 {
   std::string text = header();
   for (const Row& row : rows)
   {
     text += line_of(row);
   }
-  replace_file(file_, text);
-  out_.open(file_, std::ios::binary | std::ios::app);
+  replace_file(file, text);
+  return OpenFile(file);
+}
+
+}
+
+CsvFile::CsvFile(const std::filesystem::path& file, const std::vector<Row>& rows)
+  : file_(written(file, rows))
+{
 }
 
 void CsvFile::append(const Row& row)
 {
-  out_ << line_of(row) << std::flush;
-  if (!out_)
-  {
-    throw IoError(file_.string() + ": can't be written; check the folder and the space left");
-  }
+  file_.append(line_of(row));
+}
+
+void CsvFile::close()
+{
+  file_.sync();
 }
 
 }

@@ -1,8 +1,9 @@
 #pragma once
 // The diagnostics of a run as comma-separated values.
 
+#include "solver/files/OpenFile.h"
+
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <vector>
 
@@ -13,19 +14,21 @@ namespace vesicle
 using Row = std::vector<std::optional<double>>;
 
 /// Columns are those of Diagnostics::names(). Numbers are the shortest that read back to the same
-/// double, so that a table written again from them is the same to the byte.
+/// double, so that a table written again from them is the same to the byte. All functions throw
+/// IoError.
 class CsvFile
 {
 public:
-  /// Replaces the file by one with these rows and goes on behind them. Throws IoError.
-  CsvFile(std::filesystem::path file, const std::vector<Row>& rows);
+  /// Replaces the file by one with these rows and goes on behind them.
+  CsvFile(const std::filesystem::path& file, const std::vector<Row>& rows);
 
-  /// The row is in the file, whatever comes next. Throws IoError.
+  /// The row is in the file as a whole, or not at all.
   void append(const Row& row);
+  /// Returns when all rows are on the disk.
+  void close();
 
 private:
-  std::filesystem::path file_;
-  std::ofstream out_;
+  OpenFile file_;
 };
 
 }

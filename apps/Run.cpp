@@ -35,19 +35,13 @@ Run::Run(Scene scene, const std::filesystem::path& folder, const RunOptions& opt
 int Run::carry_out()
 {
   watch_for_interrupts();
-  const bool existing = !folder_.leftovers().empty();
-  if (existing && !options_.resume && !options_.overwrite)
+  const bool existing = !folder_.files().empty();
+  if (existing)
   {
-    throw InputError(
-      fmt::format("{}: there is a run already; go on with it by --resume, replace it by "
-                  "--overwrite, or choose another folder by -o",
-        folder_.folder().string()));
+    require_leave_to_write();
+    lock_.emplace(folder_.lock());
   }
-  if (existing && options_.resume)
-  {
-    go_on();
-  }
-  else
+  if (!existing || !options_.resume || !go_on())
   {
     start_anew();
   }
@@ -59,16 +53,34 @@ int Run::carry_out()
   return interrupted() ? exit_code::interrupted : exit_code::done;
 }
 
+void Run::require_leave_to_write() const
+{
+  if (!options_.resume && !options_.overwrite)
+  {
+    throw InputError(
+      fmt::format("{}: there is a run already; go on with it by --resume, replace it by "
+                  "--overwrite, or choose another folder by -o",
+        folder_.folder().string()));
+  }
+}
+
+/// In this order: a run that is there already is lost only once another one has begun, and what
+/// follows the checkpoint can be made again from it.
 void Run::start_anew()
 {
   update_to(0);
   require_movie_color();
-  if (options_.overwrite)
-  {
-    folder_.clear();
-  }
   make_folder(folder_.folder());
+  if (!lock_)
+  {
+    lock_.emplace(folder_.lock());
+    if (!folder_.files().empty()) // another run was quicker
+    {
+      require_leave_to_write();
+    }
+  }
   checkpoint_ = create_checkpoint();
+  folder_.clear_but_checkpoint();
   table_.emplace(folder_.table(), std::vector<Row>{});
   progress_.emplace(options_.quiet, 0, scene_.time.end);
   if (!stepper_->GetSimulation()->notes().empty())
@@ -79,7 +91,8 @@ void Run::start_anew()
   append_frame();
 }
 
-void Run::go_on()
+/// False where the run has no state yet. Nothing is touched before everything is known to fit.
+bool Run::go_on()
 {
   const auto file = folder_.checkpoint();
   if (!std::filesystem::exists(file))
@@ -88,6 +101,10 @@ void Run::go_on()
       file.string() + ": there is no checkpoint to go on from; start anew with --overwrite");
   }
   checkpoint_ = RunFile::open(file);
+  if (checkpoint_->rows() == 0)
+  {
+    return false;
+  }
   require_same_scene(scene_, *checkpoint_, file);
   stepper_->SetState(checkpoint_->state());
   update_to(checkpoint_->state().time);
@@ -95,19 +112,27 @@ void Run::go_on()
   require_movie_color();
 
   const State& state = *stepper_->GetState();
-  const bool on_output = stepper_->GetSimulation()->schedule().due(state);
+  const OutputSchedule& schedule = stepper_->GetSimulation()->schedule();
+  auto times = schedule.passed(state);
+  // Whatever was written of the last moment before the run ended is written again.
+  if (schedule.due(state))
+  {
+    times.pop_back();
+  }
+  series_.require_frames(times.size());
   first_step_ = state.step;
   resumed_ = true;
-  // Whatever was written of the last moment before the run ended is written again.
+
+  folder_.sweep();
   table_.emplace(folder_.table(), checkpoint_->series());
-  series_.keep(
-    static_cast<std::size_t>(on_output ? state.controller.output - 1 : state.controller.output));
-  if (on_output || stepper_->GetFinished())
+  series_.keep(times, stepper_->GetOutput());
+  if (schedule.due(state) || stepper_->GetFinished())
   {
     append_frame();
   }
   progress_.emplace(options_.quiet, state.time, scene_.time.end);
   progress_->say(fmt::format("going on from step {}, t = {:.6g}", state.step, state.time));
+  return true;
 }
 
 void Run::advance()
@@ -289,7 +314,8 @@ void Run::draw(const RunTable& table)
 void Run::finish()
 {
   const RunTable table = run_table(checkpoint_->series());
-  checkpoint_.reset(); // closed, and free for others to read
+  checkpoint_->close();
+  table_->close();
   summarize();
   if (is_failed())
   {

@@ -8,6 +8,7 @@
 #include "apps/RunTable.h"
 #include "apps/Summary.h"
 
+#include "solver/files/FileLock.h"
 #include "solver/scene/Scene.h"
 #include "solver/state/RunFile.h"
 #include "vtkfilters/Filters/SeriesWriter.h"
@@ -45,8 +46,9 @@ public:
   int carry_out();
 
 private:
+  void require_leave_to_write() const;
   void start_anew();
-  void go_on();
+  bool go_on();
   void advance();
   void finish();
 
@@ -70,6 +72,7 @@ private:
   std::chrono::steady_clock::time_point began_;
   vtkNew<vtkVesicleStepper> stepper_;
   SeriesWriter series_;
+  std::optional<FileLock> lock_; ///< of the folder, from before anything there is read
   std::optional<RunFile> checkpoint_;
   std::optional<CsvFile> table_;
   std::optional<Progress> progress_;

@@ -1,14 +1,14 @@
 #include "apps/RunFolder.h"
 
 #include "solver/Errors.h"
+#include "solver/files/FileBytes.h"
 
 #include <fmt/format.h>
 
-#include <regex>
+#include <algorithm>
+#include <functional>
 #include <system_error>
 
-#include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 namespace vesicle
@@ -17,28 +17,34 @@ namespace
 {
 
 using std::filesystem::path;
+using Files = std::vector<path>;
 
-/// HDF5 locks what it writes to with flock().
-bool is_locked(const path& file)
+constexpr std::string_view unfinished = ".part";
+
+bool consists_of(std::string_view text, char first, char last)
 {
-  const int descriptor = open(file.c_str(), O_RDONLY);
-  if (descriptor < 0)
-  {
-    return false;
-  }
-  const bool locked = flock(descriptor, LOCK_EX | LOCK_NB) != 0;
-  close(descriptor);
-  return locked;
+  return std::all_of(text.begin(), text.end(), [=](char c) { return c >= first && c <= last; });
 }
 
-/// Files of a folder whose names match; empty if there is no such folder.
-std::vector<path> matching(const path& folder, const std::regex& name)
+/// PREFIX, six or more digits.
+bool is_numbered(std::string_view stem, std::string_view prefix)
 {
-  std::vector<path> files;
+  constexpr std::size_t least_digits = 6;
+  return stem.size() >= prefix.size() + least_digits && stem.starts_with(prefix) &&
+    consists_of(stem.substr(prefix.size()), '0', '9');
+}
+
+/// Files of a folder with that ending, of whose names without it the test holds; empty if there is
+/// no such folder.
+Files matching(const path& folder, const std::string& ending,
+  const std::function<bool(std::string_view stem)>& test)
+{
+  Files files;
   std::error_code missing;
   for (const auto& entry : std::filesystem::directory_iterator(folder, missing))
   {
-    if (std::regex_match(entry.path().filename().string(), name))
+    const std::string name = entry.path().filename().string();
+    if (name.ends_with(ending) && test(name.substr(0, name.size() - ending.size())))
     {
       files.push_back(entry.path());
     }
@@ -46,9 +52,17 @@ std::vector<path> matching(const path& folder, const std::regex& name)
   return files;
 }
 
-std::string literally(const std::string& text)
+void remove(const Files& files)
 {
-  return std::regex_replace(text, std::regex(R"([.^$|()\[\]{}*+?\\])"), R"(\$&)");
+  for (const auto& file : files)
+  {
+    std::error_code error;
+    std::filesystem::remove(file, error);
+    if (error)
+    {
+      throw IoError(fmt::format("{}: can't be removed: {}", file.string(), error.message()));
+    }
+  }
 }
 
 }
@@ -63,45 +77,68 @@ path RunFolder::file(const std::string& ending) const
   return folder_ / (name_ + ending);
 }
 
-std::vector<path> RunFolder::leftovers() const
+Files RunFolder::named_files() const
 {
-  std::vector<path> found;
-  std::error_code ignored;
-  for (const auto& candidate :
-    { checkpoint(), table(), film(), file(".pvd"), file(".vtu.series"), file(".xdmf"), summary() })
+  return { checkpoint(), table(), film(), file(".pvd"), file(".vtu.series"), file(".xdmf"),
+    summary() };
+}
+
+Files RunFolder::numbered_files(std::string_view before_ending) const
+{
+  Files found;
+  const auto add = [&](const path& folder, const std::string& ending, const auto& test)
   {
-    if (std::filesystem::exists(candidate, ignored))
-    {
-      found.push_back(candidate);
-    }
-  }
-  const auto add = [&](const std::vector<path>& files)
-  { found.insert(found.end(), files.begin(), files.end()); };
-  add(matching(folder_ / "frames", std::regex(literally(name_) + R"(_\d{6,}(\.part)?\.(vtu|h5))")));
-  add(matching(pictures(), std::regex(R"(frame_\d{6,}\.png)")));
-  add(matching(plots(), std::regex(R"([a-z]+\.png)")));
+    const auto files = matching(folder, std::string(before_ending) + ending, test);
+    found.insert(found.end(), files.begin(), files.end());
+  };
+  const auto is_frame = [&](std::string_view stem) { return is_numbered(stem, name_ + "_"); };
+  add(folder_ / "frames", ".vtu", is_frame);
+  add(folder_ / "frames", ".h5", is_frame);
+  add(pictures(), ".png", [](std::string_view stem) { return is_numbered(stem, "frame_"); });
+  add(plots(), ".png",
+    [](std::string_view stem) { return !stem.empty() && consists_of(stem, 'a', 'z'); });
   return found;
 }
 
-void RunFolder::clear() const
+Files RunFolder::files() const
 {
-  if (is_locked(checkpoint()))
+  Files found = numbered_files("");
+  std::error_code ignored;
+  for (const auto& file : named_files())
   {
-    throw IoError(checkpoint().string() + ": locked by another run; wait for it or end it");
-  }
-  for (const auto& file : leftovers())
-  {
-    std::error_code error;
-    std::filesystem::remove(file, error);
-    if (error)
+    if (std::filesystem::exists(file, ignored))
     {
-      throw IoError(fmt::format("{}: can't be removed: {}", file.string(), error.message()));
+      found.push_back(file);
     }
   }
-  std::error_code not_empty;
-  std::filesystem::remove(folder_ / "frames", not_empty);
-  std::filesystem::remove(pictures(), not_empty);
-  std::filesystem::remove(plots(), not_empty);
+  return found;
+}
+
+void RunFolder::sweep() const
+{
+  Files parts = numbered_files(unfinished);
+  std::error_code ignored;
+  for (const auto& file : named_files())
+  {
+    const path part = unfinished_name(file);
+    if (std::filesystem::is_regular_file(part, ignored))
+    {
+      parts.push_back(part);
+    }
+  }
+  remove(parts);
+}
+
+void RunFolder::clear_but_checkpoint() const
+{
+  sweep();
+  Files rest = files();
+  rest.erase(std::remove(rest.begin(), rest.end(), checkpoint()), rest.end());
+  remove(rest);
+  for (const auto& folder : { folder_ / "frames", pictures(), plots() })
+  {
+    ::rmdir(folder.c_str()); // if it is one, and empty
+  }
 }
 
 }

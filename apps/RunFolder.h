@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace vesicle
@@ -21,13 +22,21 @@ public:
   std::filesystem::path plots() const { return folder_ / "plots"; }
   std::filesystem::path summary() const { return folder_ / "summary.json"; }
 
+  /// Locked while somebody writes to the folder.
+  std::filesystem::path lock() const { return folder_ / "vesicle.lock"; }
+
   /// The files of an existing run; empty if there is none.
-  std::vector<std::filesystem::path> leftovers() const;
-  /// Removes what a run leaves behind and nothing else. Throws IoError if another run holds it.
-  void clear() const;
+  std::vector<std::filesystem::path> files() const;
+  /// Removes what a run that was killed left unfinished. Throws IoError.
+  void sweep() const;
+  /// Removes what a run leaves behind and nothing else, but for its checkpoint. Throws IoError.
+  void clear_but_checkpoint() const;
 
 private:
   std::filesystem::path file(const std::string& ending) const;
+  std::vector<std::filesystem::path> named_files() const;
+  /// Frames, pictures and plots, with this before the ending of their names.
+  std::vector<std::filesystem::path> numbered_files(std::string_view before_ending) const;
 
   std::filesystem::path folder_;
   std::string name_;

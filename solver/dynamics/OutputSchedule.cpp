@@ -41,6 +41,14 @@ bool OutputSchedule::due(const State& state) const
     (every_ > 0 && same_time(state.time, multiple(state.controller.output - 1)));
 }
 
+std::vector<double> OutputSchedule::passed(const State& state) const
+{
+  std::vector<double> times;
+  for (std::int64_t k = 0; k < state.controller.output; ++k)
+    times.push_back(multiple(k));
+  return times;
+}
+
 void OutputSchedule::pass(State& state) const
 {
   if (every_ > 0 && state.time == multiple(state.controller.output))

@@ -25,6 +25,8 @@ public:
   std::optional<double> next(const State& state) const;
   /// True at the start and where a multiple of `every` was hit.
   bool due(const State& state) const;
+  /// The times of the outputs that `state` has passed, from the start on.
+  std::vector<double> passed(const State& state) const;
   /// Counts the output on, if `state` has hit one.
   void pass(State& state) const;
   /// All times from `from` to `end`, with these two.

@@ -1,12 +1,12 @@
 #include "solver/files/FileBytes.h"
 
 #include "solver/Errors.h"
+#include "solver/files/SystemCalls.h"
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cerrno>
-#include <fstream>
-#include <sstream>
 #include <system_error>
 
 #include <fcntl.h>
@@ -17,76 +17,81 @@ namespace vesicle
 namespace
 {
 
-[[noreturn]] void fail(const std::filesystem::path& file, const std::string& reason)
-{
-  throw IoError(fmt::format("{}: can't be written: {}", file.string(), reason));
-}
+using std::filesystem::path;
+using system_calls::fail_to_write;
 
-/// Half a file is worse than none; a device stays.
-void remove_regular(const std::filesystem::path& file)
+bool is_regular(const path& file)
 {
   std::error_code ignored;
-  if (std::filesystem::is_regular_file(file, ignored))
-  {
-    std::filesystem::remove(file, ignored);
-  }
+  return std::filesystem::is_regular_file(file, ignored);
 }
 
-/// 0, or the system's error number.
-int write_all(int descriptor, std::string_view bytes)
+/// 0, or the system's error number. To the disk, unless it is a device.
+int write_bytes(const path& to, std::string_view bytes)
 {
-  while (!bytes.empty())
-  {
-    const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
-    if (count < 0 && errno != EINTR)
-    {
-      return errno;
-    }
-    bytes.remove_prefix(count > 0 ? static_cast<std::size_t>(count) : 0);
-  }
-  return 0;
-}
-
-enum class Until
-{
-  taken, ///< by the system
-  on_disk
-};
-
-/// An error names `file`, which the bytes written to `to` become in the end.
-void write_bytes(const std::filesystem::path& to, const std::filesystem::path& file,
-  std::string_view bytes, IfExists if_exists, Until until)
-{
-  const int mode = if_exists == IfExists::fail ? O_EXCL : O_TRUNC;
-  const int descriptor = ::open(to.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | mode, 0666);
+  const int descriptor = ::open(to.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (descriptor < 0)
   {
-    fail(file, std::generic_category().message(errno));
+    return errno;
   }
-  int reason = write_all(descriptor, bytes);
-  if (reason == 0 && until == Until::on_disk && ::fsync(descriptor) != 0)
+  int reason = system_calls::write_all(descriptor, bytes);
+  if (reason == 0)
   {
-    reason = errno;
+    reason = system_calls::sync(descriptor);
   }
   if (::close(descriptor) != 0 && reason == 0)
   {
     reason = errno;
   }
-  if (reason != 0)
-  {
-    remove_regular(to);
-    fail(file, std::generic_category().message(reason));
-  }
+  return reason;
 }
 
-}
-
-void write_to_disk(const std::filesystem::path& file, std::string_view bytes, IfExists if_exists)
+int sync_file(const path& file)
 {
-  write_bytes(file, file, bytes, if_exists, Until::on_disk);
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor < 0)
+  {
+    return errno;
+  }
+  const int reason = system_calls::sync(descriptor);
+  return ::close(descriptor) != 0 && reason == 0 ? errno : reason;
 }
 
-std::filesystem::path unfinished_name(const std::filesystem::path& file)
+/// What `file` leads to, be it there or not.
+path behind_links(path file)
+{
+  constexpr int most_links = 40; // the system's own limit
+  std::error_code none;
+  for (int i = 0; i < most_links && std::filesystem::is_symlink(file, none); ++i)
+  {
+    file = file.parent_path() / std::filesystem::read_symlink(file, none);
+  }
+  return file;
+}
+
+/// 0, or the system's error number.
+int rename_to(const path& unfinished, const path& file)
+{
+  if (::rename(unfinished.c_str(), file.c_str()) != 0)
+  {
+    return errno;
+  }
+  return system_calls::sync_folder(file.parent_path());
+}
+
+/// Half a file is worse than none; a device stays.
+[[noreturn]] void give_up(const path& unfinished, const path& file, int reason)
+{
+  if (is_regular(unfinished))
+  {
+    ::unlink(unfinished.c_str());
+  }
+  fail_to_write(file, reason);
+}
+
+}
+
+path unfinished_name(const path& file)
 {
   std::error_code ignored;
   const auto status = std::filesystem::status(file, ignored);
@@ -94,34 +99,43 @@ std::filesystem::path unfinished_name(const std::filesystem::path& file)
   {
     return file; // a device or a pipe is written to, not replaced
   }
-  auto name = file;
-  return name.replace_filename(file.stem().string() + ".part" + file.extension().string());
+  auto name = behind_links(file);
+  return name.replace_filename(name.stem().string() + ".part" + name.extension().string());
 }
 
-void finish_file(const std::filesystem::path& file)
+void finish_file(const path& file)
 {
-  const auto unfinished = unfinished_name(file);
+  const path unfinished = unfinished_name(file);
   if (unfinished == file)
   {
     return;
   }
-  std::error_code error;
-  std::filesystem::rename(unfinished, file, error);
-  if (error)
+  int reason = sync_file(unfinished);
+  if (reason == 0)
   {
-    std::error_code ignored;
-    std::filesystem::remove(unfinished, ignored);
-    fail(file, error.message());
+    reason = rename_to(unfinished, behind_links(file));
+  }
+  if (reason != 0)
+  {
+    give_up(unfinished, file, reason);
   }
 }
 
-void replace_file(const std::filesystem::path& file, std::string_view bytes)
+void replace_file(const path& file, std::string_view bytes)
 {
-  write_bytes(unfinished_name(file), file, bytes, IfExists::replace, Until::taken);
-  finish_file(file);
+  const path unfinished = unfinished_name(file);
+  int reason = write_bytes(unfinished, bytes);
+  if (reason == 0 && unfinished != file)
+  {
+    reason = rename_to(unfinished, behind_links(file));
+  }
+  if (reason != 0)
+  {
+    give_up(unfinished, file, reason);
+  }
 }
 
-void require_file(const std::filesystem::path& file)
+void require_file(const path& file)
 {
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored))
@@ -134,26 +148,42 @@ void require_file(const std::filesystem::path& file)
   }
 }
 
-std::string read_file(const std::filesystem::path& file)
+std::string read_file(const path& file)
 {
   require_file(file);
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << in.rdbuf();
-  if (!in)
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  std::string bytes;
+  std::array<char, 65536> piece;
+  ssize_t count = descriptor < 0 ? -1 : 0;
+  while (descriptor >= 0 &&
+    ((count = ::read(descriptor, piece.data(), piece.size())) > 0 || (count < 0 && errno == EINTR)))
   {
-    throw IoError(fmt::format("{}: can't be read", file.string()));
+    bytes.append(piece.data(), static_cast<std::size_t>(count > 0 ? count : 0));
   }
-  return bytes.str();
+  const int reason = count < 0 ? errno : 0;
+  if (descriptor >= 0)
+  {
+    ::close(descriptor);
+  }
+  if (reason != 0)
+  {
+    throw IoError(
+      fmt::format("{}: can't be read: {}", file.string(), std::generic_category().message(reason)));
+  }
+  return bytes;
 }
 
-void make_folder(const std::filesystem::path& folder)
+void make_folder(const path& folder)
 {
   std::error_code error;
-  std::filesystem::create_directories(folder, error);
+  const bool made = std::filesystem::create_directories(folder, error);
   if (error)
   {
-    fail(folder, error.message());
+    fail_to_write(folder, error.message());
+  }
+  if (const int reason = made ? system_calls::sync_folder(folder.parent_path()) : 0)
+  {
+    fail_to_write(folder, reason);
   }
 }
 

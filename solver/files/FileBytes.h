@@ -1,5 +1,6 @@
 #pragma once
-// Files that are there as a whole or not at all.
+// Files that are there as a whole or not at all. Together with OpenFile and FileLock this is the
+// one place where the program writes to a disk.
 
 #include <filesystem>
 #include <string>
@@ -8,24 +9,17 @@
 namespace vesicle
 {
 
-enum class IfExists
-{
-  fail,
-  replace
-};
-
-/// Writes the file itself and returns when the bytes are on the disk. Throws IoError naming the
-/// file and the system's reason; a file that was begun is then removed.
-void write_to_disk(const std::filesystem::path& file, std::string_view bytes, IfExists if_exists);
-
-/// Writes beside `file` under another name, then renames: whoever reads `file` finds the old
-/// content or the new one, also after a crash of the program. Throws IoError as above.
+/// Writes beside `file` under another name, brings that to the disk, then renames it: whoever reads
+/// `file` finds the old content or the new one, also after the program or the machine crashed.
+/// Throws IoError naming the file and the system's reason; `file` is then what it was. A link stays
+/// a link, and what it points to is replaced.
 void replace_file(const std::filesystem::path& file, std::string_view bytes);
 
 /// The name used for that: NAME.part.ENDING in the same folder (`file` itself where that is a
 /// device).
 std::filesystem::path unfinished_name(const std::filesystem::path& file);
-/// Gives a file that was written under its unfinished name its own. Throws IoError.
+/// Gives a file that another program or library wrote under its unfinished name its own, once it is
+/// on the disk. Throws IoError; nothing unfinished is then left.
 void finish_file(const std::filesystem::path& file);
 
 /// Throws InputError if there is none, IoError if it can't be read.

@@ -103,8 +103,7 @@ std::string frame_file_image(const Frame& frame)
   write_arrays(file, "point_data", frame.point_data);
   write_arrays(file, "cell_data", frame.cell_data);
   write_arrays(file, "field_data", frame.field_data);
-  const auto image = hdf5::image_of(file);
-  return { image.begin(), image.end() };
+  return hdf5::image_of(file);
 }
 
 }

@@ -3,6 +3,7 @@
 #include "solver/Errors.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace vesicle::hdf5
 {
@@ -38,6 +39,18 @@ Handle text_type(std::size_t length)
 std::string trimmed(const char* bytes, std::size_t length)
 {
   return { bytes, std::find(bytes, bytes + length, '\0') };
+}
+
+/// A row of numbers, each with its name.
+Handle record_type(const std::vector<std::string>& columns, hid_t number)
+{
+  const std::size_t size = H5Tget_size(number);
+  Handle record(H5Tcreate(H5T_COMPOUND, columns.size() * size), H5Tclose, "record type");
+  for (std::size_t i = 0; i < columns.size(); ++i)
+  {
+    check(H5Tinsert(record, columns[i].c_str(), i * size, number), "record type");
+  }
+  return record;
 }
 
 std::size_t text_length(hid_t type, const std::string& name)
@@ -156,19 +169,12 @@ std::vector<std::string> names_in(hid_t group)
 }
 
 // Without the time of their making, so that equal runs give equal bytes.
-Handle create_dataset_of(hid_t parent, const std::string& name, const Shape& shape, hid_t type,
-  const void* fill, hid_t fill_type)
+Handle create_dataset_of(hid_t parent, const std::string& name, const Shape& shape, hid_t type)
 {
   const std::string what = "can't create " + name;
   const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, what);
   check(H5Pset_layout(properties, H5D_CONTIGUOUS), what);
-  check(H5Pset_alloc_time(properties, H5D_ALLOC_TIME_EARLY), what);
-  check(H5Pset_fill_time(properties, H5D_FILL_TIME_ALLOC), what);
   check(H5Pset_obj_track_times(properties, false), what);
-  if (fill)
-  {
-    check(H5Pset_fill_value(properties, fill_type, fill), what);
-  }
   const Handle space = shape.empty()
     ? scalar_space()
     : Handle(
@@ -177,13 +183,50 @@ Handle create_dataset_of(hid_t parent, const std::string& name, const Shape& sha
     H5Dclose, what };
 }
 
+Handle create_table(
+  hid_t parent, const std::string& name, const std::vector<std::string>& columns, hsize_t rows)
+{
+  const Handle record = record_type(columns, file_type<double>());
+  return create_dataset_of(parent, name, { rows }, record);
+}
+
+void write_table(hid_t table, const double* values, const std::string& name)
+{
+  const Handle record = record_type(columns_of_table(table, name), memory_type<double>());
+  check(H5Dwrite(table, record, H5S_ALL, H5S_ALL, H5P_DEFAULT, values), "can't write " + name);
+}
+
+std::vector<std::string> columns_of_table(hid_t table, const std::string& name)
+{
+  const Handle record(H5Dget_type(table), H5Tclose, "can't read " + name);
+  if (H5Tget_class(record) != H5T_COMPOUND)
+  {
+    throw IoError(name + " is not a table");
+  }
+  std::vector<std::string> columns;
+  for (int i = 0; i < H5Tget_nmembers(record); ++i)
+  {
+    char* const column = H5Tget_member_name(record, static_cast<unsigned>(i));
+    columns.emplace_back(column ? column : "");
+    H5free_memory(column);
+  }
+  return columns;
+}
+
+std::optional<std::uint64_t> place_of(hid_t dataset)
+{
+  // Asked for the place of a dataset that has none, HDF5 adds the user block to "undefined".
+  return H5Dget_storage_size(dataset) > 0 ? std::optional<std::uint64_t>(H5Dget_offset(dataset))
+                                          : std::nullopt;
+}
+
 Handle create_compressed_dataset_of(
   hid_t parent, const std::string& name, const Shape& shape, hid_t type)
 {
   constexpr unsigned level = 4;
   if (std::find(shape.begin(), shape.end(), 0) != shape.end())
   {
-    return create_dataset_of(parent, name, shape, type, nullptr, type); // no chunk of nothing
+    return create_dataset_of(parent, name, shape, type); // no chunk of nothing
   }
   const std::string what = "can't create " + name;
   const Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, what);
@@ -197,20 +240,10 @@ Handle create_compressed_dataset_of(
     H5Dclose, what };
 }
 
-void write_element(hid_t dataset, hsize_t index, double value, const std::string& name)
-{
-  const std::string what = "can't write " + name;
-  const hsize_t count = 1;
-  const Handle target(H5Dget_space(dataset), H5Sclose, what);
-  check(H5Sselect_hyperslab(target, H5S_SELECT_SET, &index, nullptr, &count, nullptr), what);
-  const Handle source = scalar_space();
-  check(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, source, target, H5P_DEFAULT, &value), what);
-}
-
 void write_text(hid_t parent, const std::string& name, const std::string& text)
 {
   const Handle type = text_type(text.size());
-  const Handle dataset = create_dataset_of(parent, name, {}, type, nullptr, type);
+  const Handle dataset = create_dataset_of(parent, name, {}, type);
   const std::string padded = text.empty() ? std::string(1, '\0') : text;
   check(
     H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, padded.data()), "can't write " + name);
@@ -294,28 +327,63 @@ bool has_attribute(hid_t object, const std::string& name)
   return H5Aexists(object, name.c_str()) > 0;
 }
 
-Handle create_in_memory()
+namespace
+{
+
+/// Of files that are never on a disk.
+Handle memory_access()
 {
   const std::size_t growth = 1 << 20; // bytes at a time
   const bool on_disk = false;
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file in memory");
+  Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "file in memory");
   check(H5Pset_fapl_core(access, growth, on_disk), "file in memory");
+  return access;
+}
+
+/// HDF5 takes files in memory for the same if they have the same name.
+std::string new_name()
+{
+  static std::atomic<int> count = 0;
+  return "file in memory " + std::to_string(++count);
+}
+
+}
+
+Handle create_in_memory(hsize_t user_block)
+{
+  const Handle access = memory_access();
+  // Small datasets stand where they are written, one after the other.
+  check(H5Pset_small_data_block_size(access, 0), "file in memory");
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "file in memory");
+  check(H5Pset_userblock(creation, user_block), "file in memory");
   const unsigned chunks =
     1; // half of what a dataset's index has room for: by default it takes 3 KB
   check(H5Pset_istore_k(creation, chunks), "file in memory");
-  return { H5Fcreate("file in memory", H5F_ACC_TRUNC, creation, access), H5Fclose,
+  return { H5Fcreate(new_name().c_str(), H5F_ACC_TRUNC, creation, access), H5Fclose,
     "file in memory" };
 }
 
-std::vector<char> image_of(hid_t file)
+std::string image_of(hid_t file)
 {
   check(H5Fflush(file, H5F_SCOPE_GLOBAL), "file in memory");
-  const ssize_t size = H5Fget_file_image(file, nullptr, 0);
+  const Handle creation(H5Fget_create_plist(file), H5Pclose, "file in memory");
+  hsize_t user_block = 0;
+  check(H5Pget_userblock(creation, &user_block), "file in memory");
+  const ssize_t size = H5Fget_file_image(file, nullptr, 0); // without the user block
   check(size < 0 ? -1 : 0, "file in memory");
-  std::vector<char> image(static_cast<std::size_t>(size));
-  check(H5Fget_file_image(file, image.data(), image.size()) < 0 ? -1 : 0, "file in memory");
+  std::string image(user_block + static_cast<std::size_t>(size), '\0');
+  const ssize_t copied =
+    H5Fget_file_image(file, image.data() + user_block, static_cast<std::size_t>(size));
+  check(copied < 0 ? -1 : 0, "file in memory");
   return image;
+}
+
+Handle open_in_memory(std::string_view image)
+{
+  const Handle access = memory_access();
+  // HDF5 copies the bytes and doesn't change these.
+  check(H5Pset_file_image(access, const_cast<char*>(image.data()), image.size()), "file in memory");
+  return { H5Fopen(new_name().c_str(), H5F_ACC_RDONLY, access), H5Fclose, "file in memory" };
 }
 
 }

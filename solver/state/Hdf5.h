@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -101,18 +102,22 @@ Shape shape_of(hid_t dataset, const std::string& name);
 /// What stands in a group, in alphabetical order.
 std::vector<std::string> names_in(hid_t group);
 
-/// A dataset in one piece whose place in the file is settled at once: writing to it later touches
-/// nothing but its numbers.
+/// A dataset in one piece that gets its place in the file when it is written.
 template<class T>
-Handle create_dataset(hid_t parent, const std::string& name, const Shape& shape,
-  const std::optional<T>& fill = std::nullopt);
+Handle create_dataset(hid_t parent, const std::string& name, const Shape& shape);
+/// A table: a dataset of `rows` records, each of doubles with these names, next to each other.
+Handle create_table(
+  hid_t parent, const std::string& name, const std::vector<std::string>& columns, hsize_t rows);
+/// `values` row by row.
+void write_table(hid_t table, const double* values, const std::string& name);
+std::vector<std::string> columns_of_table(hid_t table, const std::string& name);
+/// Where in the file a dataset's first byte is; nothing while it has none.
+std::optional<std::uint64_t> place_of(hid_t dataset);
 /// A dataset in one compressed chunk, to be written as a whole.
 template<class T>
 Handle create_compressed_dataset(hid_t parent, const std::string& name, const Shape& shape);
 template<class T>
 void write(hid_t dataset, const T* values, const std::string& name);
-/// Writes the single element `index` of a dataset of rank 1.
-void write_element(hid_t dataset, hsize_t index, double value, const std::string& name);
 template<class T>
 void read(hid_t dataset, T* values, const std::string& name);
 
@@ -129,15 +134,17 @@ void write_attribute(hid_t object, const std::string& name, const std::string& t
 std::vector<std::string> read_text_attribute(hid_t object, const std::string& name);
 bool has_attribute(hid_t object, const std::string& name);
 
-/// A file that is built in memory; it has room for datasets of one chunk each.
-Handle create_in_memory();
-/// The bytes that a file would have on disk.
-std::vector<char> image_of(hid_t file);
+/// A file that is built in memory; it has room for datasets of one chunk each. The first
+/// `user_block` bytes (a power of two from 512, or 0) are not HDF5's.
+Handle create_in_memory(hsize_t user_block = 0);
+/// The bytes that a file would have on disk, the user block zero.
+std::string image_of(hid_t file);
+/// For reading. HDF5 trusts what stands in a file: damaged bytes may crash it.
+Handle open_in_memory(std::string_view image);
 
 // ---------------------------------------------------------------------------------------------
 
-Handle create_dataset_of(hid_t parent, const std::string& name, const Shape& shape, hid_t type,
-  const void* fill, hid_t fill_type);
+Handle create_dataset_of(hid_t parent, const std::string& name, const Shape& shape, hid_t type);
 Handle create_compressed_dataset_of(
   hid_t parent, const std::string& name, const Shape& shape, hid_t type);
 void write_attribute_of(
@@ -145,11 +152,9 @@ void write_attribute_of(
 void read_attribute_of(hid_t object, const std::string& name, hid_t memory, void* value);
 
 template<class T>
-Handle create_dataset(
-  hid_t parent, const std::string& name, const Shape& shape, const std::optional<T>& fill)
+Handle create_dataset(hid_t parent, const std::string& name, const Shape& shape)
 {
-  return create_dataset_of(
-    parent, name, shape, file_type<T>(), fill ? &*fill : nullptr, memory_type<T>());
+  return create_dataset_of(parent, name, shape, file_type<T>());
 }
 
 template<class T>

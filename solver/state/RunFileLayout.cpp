@@ -1,6 +1,8 @@
 #include "solver/state/RunFileLayout.h"
 
 #include "solver/Errors.h"
+#include "solver/files/Checksum.h"
+#include "solver/state/LittleEndian.h"
 #include "solver/state/StateFields.h"
 
 #include <fmt/format.h>
@@ -17,7 +19,6 @@ using hdf5::Handle;
 using hdf5::Shape;
 
 constexpr const char* format_name = "vesicle run file";
-constexpr std::int64_t layout_version = 2; // raise it when a reader would misunderstand the file
 
 /// Where a number or the first of an array's numbers stands, its type and its shape.
 const std::int64_t* data_of(const std::int64_t& value)
@@ -97,7 +98,7 @@ std::string slot_name(std::size_t slot)
 void write_header(hid_t file, const RunFile::Header& header)
 {
   hdf5::write_attribute(file, "format", std::string(format_name));
-  hdf5::write_attribute(file, "layout_version", layout_version);
+  hdf5::write_attribute(file, "layout_version", static_cast<std::int64_t>(run_file_layout_version));
   hdf5::write_attribute(file, "vesicle_version", std::string(VESICLE_VERSION));
   hdf5::write_attribute(file, "length_scale", header.length_scale);
   hdf5::write_attribute(file, "time_scale", header.time_scale);
@@ -114,34 +115,41 @@ void write_header(hid_t file, const RunFile::Header& header)
   }
 }
 
-void write_series(hid_t file, const RunFileContents& contents, std::size_t capacity)
-{
-  const Handle group = hdf5::create_group(file, "series");
-  hdf5::write_attribute(group, "columns", contents.header.columns);
-  std::vector<double> padded(capacity);
-  for (std::size_t i = 0; i < contents.columns.size(); ++i)
-  {
-    const std::string& name = contents.header.columns[i];
-    const auto& values = contents.columns[i];
-    std::fill(std::copy(values.begin(), values.end(), padded.begin()), padded.end(), missing_value);
-    const Handle column = hdf5::create_dataset<double>(group, name, { capacity }, missing_value);
-    hdf5::write(column, padded.data(), name);
-    hdf5::write_attribute(column, "missing_value", missing_value);
-  }
-}
-
-void write_slot(hid_t file, std::size_t slot, const State& state)
+/// A state's datasets, in the order of for_each_field.
+std::vector<Handle> create_slot(hid_t file, std::size_t slot, const State& state)
 {
   const Handle group = hdf5::create_group(file, slot_name(slot));
   for (std::size_t v = 0; v < state.vesicles.size(); ++v)
     hdf5::create_group(group, vesicle_group(v));
+  std::vector<Handle> datasets;
   for_each_field(state,
     [&](const std::string& name, const auto& field)
     {
       using Number = std::remove_cvref_t<decltype(*data_of(field))>;
-      const Handle dataset = hdf5::create_dataset<Number>(group, name, shape_of_field(field));
-      hdf5::write(dataset, data_of(field), name);
+      datasets.push_back(hdf5::create_dataset<Number>(group, name, shape_of_field(field)));
     });
+  return datasets;
+}
+
+void write_slot(const std::vector<Handle>& datasets, const State& state)
+{
+  auto dataset = datasets.begin();
+  for_each_field(state,
+    [&](const std::string& name, const auto& field)
+    { hdf5::write(*dataset++, data_of(field), name); });
+}
+
+/// The place of the first dataset that has one.
+std::optional<std::uint64_t> first_place(const std::vector<Handle>& datasets)
+{
+  for (const Handle& dataset : datasets)
+  {
+    if (const auto place = hdf5::place_of(dataset))
+    {
+      return place;
+    }
+  }
+  return std::nullopt;
 }
 
 void read_triangles(hid_t group, const std::string& name, Triangles& triangles)
@@ -156,20 +164,6 @@ void read_triangles(hid_t group, const std::string& name, Triangles& triangles)
 
 RunFile::Header read_header(hid_t file)
 {
-  const bool ours = hdf5::has_attribute(file, "format") &&
-    hdf5::read_text_attribute(file, "format") == std::vector<std::string>{ format_name };
-  if (!ours)
-  {
-    throw IoError("is an HDF5 file but not a run file");
-  }
-  const auto version = hdf5::read_attribute<std::int64_t>(file, "layout_version");
-  if (version != layout_version)
-  {
-    throw IoError(
-      fmt::format("has layout version {}, this program knows version {}; go on with the "
-                  "version of the program that wrote it",
-        version, layout_version));
-  }
   RunFile::Header header;
   header.length_scale = hdf5::read_attribute<double>(file, "length_scale");
   header.time_scale = hdf5::read_attribute<double>(file, "time_scale");
@@ -181,7 +175,7 @@ RunFile::Header read_header(hid_t file)
   header.triangles.resize(hdf5::member_count(group));
   for (std::size_t v = 0; v < header.triangles.size(); ++v)
     read_triangles(group, vesicle_group(v), header.triangles[v]);
-  header.columns = hdf5::read_text_attribute(hdf5::open_group(file, "series"), "columns");
+  header.columns = hdf5::columns_of_table(hdf5::open_dataset(file, "series"), "series");
   return header;
 }
 
@@ -206,91 +200,95 @@ State read_slot(hid_t file, std::size_t slot, std::size_t vesicles)
   return state;
 }
 
-std::vector<Handle> open_slot(hid_t file, std::size_t slot, std::size_t vesicles)
+std::vector<double> read_series(const std::string& file, const CheckedRunFile& checked)
 {
-  const Handle group = hdf5::open_group(file, slot_name(slot));
-  std::vector<Handle> datasets;
-  const State any = state_of(vesicles);
-  for_each_field(any,
-    [&](const std::string& name, const auto&)
-    { datasets.push_back(hdf5::open_dataset(group, name)); });
-  return datasets;
-}
-
-std::size_t read_committed(const RunFileDatasets& datasets)
-{
-  std::int64_t rows = 0;
-  hdf5::read(datasets.committed, &rows, "committed");
-  if (rows < 0 || static_cast<std::size_t>(rows) > datasets.capacity)
+  const auto& [head, commit] = checked;
+  std::vector<double> series;
+  for (std::uint64_t place = head.series; place < head.row(commit.rows); place += 8)
   {
-    throw IoError(fmt::format("says that {} rows are committed, of {}", rows, datasets.capacity));
+    series.push_back(number_at<double>(file, place));
   }
-  return static_cast<std::size_t>(rows);
+  return series;
 }
 
-}
-
-std::vector<char> run_file_image(const RunFileContents& contents, std::size_t capacity)
+/// A file whose numbers aren't where they are looked for must not come to be.
+void require_places(
+  const RunFileImage& image, const std::vector<std::vector<Handle>>& slots, hid_t series)
 {
-  const Handle file = hdf5::create_in_memory();
+  const auto is_at = [](const std::optional<std::uint64_t>& place, std::uint64_t wanted)
+  { return !place || *place == wanted; };
+  const RunFileHead& head = image.head;
+  bool right =
+    is_at(hdf5::place_of(series), head.series) && image.bytes.size() == head.committed + 8;
+  for (std::size_t slot = 0; slot < slots.size(); ++slot)
+  {
+    right = right && is_at(first_place(slots[slot]), head.slot(slot));
+  }
+  if (!right)
+  {
+    throw IoError("HDF5 lays out a run file in another way than this program knows");
+  }
+}
+
+}
+
+RunFileImage run_file_image(const RunFileContents& contents, std::size_t capacity)
+{
+  const State& state = contents.state;
+  const std::size_t rows = contents.rows();
+  const Handle file = hdf5::create_in_memory(run_file_head_size);
   write_header(file, contents.header);
-  write_series(file, contents, capacity);
-  const Handle state = hdf5::create_group(file, "state");
-  if (contents.rows() > 0)
+  hdf5::create_group(file, "state");
+  std::vector<std::vector<Handle>> slots; // none while there is no state
+  for (std::size_t slot = 0; rows > 0 && slot < 2; ++slot)
   {
-    write_slot(file, 0, contents.state);
-    write_slot(file, 1, contents.state);
+    slots.push_back(create_slot(file, slot, state));
   }
-  const auto rows = static_cast<std::int64_t>(contents.rows());
+  const Handle series = hdf5::create_table(file, "series", contents.header.columns, capacity);
+  hdf5::write_attribute(series, "missing_value", missing_value);
   const Handle committed = hdf5::create_dataset<std::int64_t>(file, "committed", {});
-  hdf5::write(committed, &rows, "committed");
-  return hdf5::image_of(file);
+
+  // All that has a place in the file stands before what gets one now, in this order.
+  for (const auto& slot : slots)
+  {
+    write_slot(slot, state);
+  }
+  std::vector<double> padded = contents.series;
+  padded.resize(capacity * contents.header.columns.size(), missing_value);
+  hdf5::write_table(series, padded.data(), "series");
+  const auto count = static_cast<std::int64_t>(rows);
+  hdf5::write(committed, &count, "committed");
+
+  const std::string fields = rows > 0 ? state_bytes(state) : "";
+  RunFileImage image{ hdf5::image_of(file), {} };
+  RunFileHead& head = image.head;
+  head.committed = hdf5::place_of(committed).value();
+  head.row_size = 8 * contents.header.columns.size();
+  head.capacity = capacity;
+  head.series = head.committed - capacity * head.row_size;
+  head.slot_size = fields.size();
+  head.slots = head.series - 2 * head.slot_size;
+  require_places(image, slots, series);
+  write_head(head, image.bytes);
+  const RunFileCommit commit{ rows, checksum(fields), checksum(numbers_bytes(contents.series)) };
+  image.bytes.replace(commit.place(), commit.bytes().size(), commit.bytes());
+  return image;
 }
 
-RunFileDatasets open_datasets(hid_t file, const RunFile::Header& header)
+RunFileContents read_contents(const std::string& bytes)
 {
-  RunFileDatasets datasets;
-  datasets.committed = hdf5::open_dataset(file, "committed");
-  const Handle series = hdf5::open_group(file, "series");
-  for (const auto& name : header.columns)
-  {
-    datasets.columns.push_back(hdf5::open_dataset(series, name));
-    const Shape shape = hdf5::shape_of(datasets.columns.back(), name);
-    const bool first = datasets.columns.size() == 1;
-    if (shape.size() != 1 || (!first && shape[0] != datasets.capacity))
-    {
-      misshapen(name);
-    }
-    datasets.capacity = shape[0];
-  }
-  if (read_committed(datasets) > 0)
-  {
-    const std::size_t vesicles = header.triangles.size();
-    datasets.slots = { open_slot(file, 0, vesicles), open_slot(file, 1, vesicles) };
-    for (const auto& field : datasets.slots[0])
-    {
-      datasets.state_shapes.push_back(hdf5::shape_of(field, "state"));
-    }
-  }
-  return datasets;
-}
-
-RunFileContents read_contents(hid_t file)
-{
+  const CheckedRunFile checked = checked_run_file(bytes);
+  const Handle file = hdf5::open_in_memory(bytes);
   RunFileContents contents;
   contents.header = read_header(file);
-  const RunFileDatasets datasets = open_datasets(file, contents.header);
-  const std::size_t rows = read_committed(datasets);
-  for (std::size_t i = 0; i < datasets.columns.size(); ++i)
+  if (checked.head.row_size != 8 * contents.header.columns.size())
   {
-    std::vector<double> values(datasets.capacity);
-    hdf5::read(datasets.columns[i], values.data(), contents.header.columns[i]);
-    values.resize(rows);
-    contents.columns.push_back(std::move(values));
+    misshapen("series");
   }
-  if (rows > 0)
+  contents.series = read_series(bytes, checked);
+  if (contents.rows() > 0)
   {
-    contents.state = read_slot(file, rows % 2, contents.header.triangles.size());
+    contents.state = read_slot(file, checked.commit.rows % 2, contents.header.triangles.size());
   }
   return contents;
 }
@@ -303,12 +301,27 @@ std::vector<Shape> field_shapes(const State& state)
   return shapes;
 }
 
-void write_state(const std::vector<Handle>& slot, const State& state)
+std::string state_bytes(const State& state)
 {
-  auto dataset = slot.begin();
+  std::string bytes;
   for_each_field(state,
-    [&](const std::string& name, const auto& field)
-    { hdf5::write(*dataset++, data_of(field), name); });
+    [&](const std::string&, const auto& field)
+    {
+      std::size_t count = 1;
+      for (const hsize_t size : shape_of_field(field))
+      {
+        count *= size;
+      }
+      append_numbers(bytes, data_of(field), count);
+    });
+  return bytes;
+}
+
+std::string numbers_bytes(const std::vector<double>& numbers)
+{
+  std::string bytes;
+  append_numbers(bytes, numbers.data(), numbers.size());
+  return bytes;
 }
 
 }

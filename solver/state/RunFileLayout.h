@@ -4,8 +4,7 @@
 
 #include "solver/state/Hdf5.h"
 #include "solver/state/RunFile.h"
-
-#include <array>
+#include "solver/state/RunFileHead.h"
 
 namespace vesicle
 {
@@ -17,32 +16,27 @@ inline constexpr double missing_value = -1.7976931348623157e308;
 struct RunFileContents
 {
   RunFile::Header header;
-  std::vector<std::vector<double>>
-    columns;   ///< of the series, equally long; `missing_value` where empty
-  State state; ///< meaningless while there are no rows
+  std::vector<double> series; ///< row by row; `missing_value` where empty
+  State state;                ///< meaningless while there are no rows
 
-  std::size_t rows() const { return columns.empty() ? 0 : columns.front().size(); }
+  std::size_t rows() const { return series.size() / header.columns.size(); }
 };
 
-/// The bytes of a run file with room for `capacity` rows of the series.
-std::vector<char> run_file_image(const RunFileContents& contents, std::size_t capacity);
-
-/// The datasets of an open run file that an append writes to.
-struct RunFileDatasets
+struct RunFileImage
 {
-  std::size_t capacity = 0;
-  hdf5::Handle committed;
-  std::vector<hdf5::Handle> columns;
-  std::array<std::vector<hdf5::Handle>, 2> slots; ///< of the state, in the order of for_each_field
-  std::vector<hdf5::Shape> state_shapes;          ///< of its fields; empty while there are no rows
+  std::string bytes; ///< of the whole file
+  RunFileHead head;
 };
 
-/// Throw IoError if `file` isn't a run file.
-RunFileContents read_contents(hid_t file);
-RunFileDatasets open_datasets(hid_t file, const RunFile::Header& header);
+/// With room for `capacity` rows of the series.
+RunFileImage run_file_image(const RunFileContents& contents, std::size_t capacity);
+/// Throws IoError if the bytes aren't those of a run file, undamaged.
+RunFileContents read_contents(const std::string& file);
 
 /// The shapes that the fields of `state` take in the file.
 std::vector<hdf5::Shape> field_shapes(const State& state);
-void write_state(const std::vector<hdf5::Handle>& slot, const State& state);
+/// What stands in the state's slot, all fields one after the other.
+std::string state_bytes(const State& state);
+std::string numbers_bytes(const std::vector<double>& numbers);
 
 }

@@ -141,7 +141,7 @@ TEST(SeriesWriter, KeepsAndGoesOn)
     first.append(surface(), time);
   }
   SeriesWriter second(folder.path(), "run");
-  second.keep(2);
+  second.keep({ 0.0, 0.1 }, surface());
   expect_series(second.pvd_file(), { 0.0, 0.1 });
   expect_xdmf(second.xdmf_file(), { 0.0, 0.1 });
   for (const char* name : { "run_000002.vtu", "run_000003.vtu", "run_000002.h5", "run_000003.h5" })
@@ -158,9 +158,12 @@ TEST(SeriesWriter, MissingFramesAreNoticed)
   const TemporaryFolder folder;
   SeriesWriter series(folder.path(), "run");
   series.append(surface(), 0);
-  EXPECT_THROW(SeriesWriter(folder.path(), "run").keep(2), InputError);
+  SeriesWriter again(folder.path(), "run");
+  again.require_frames(1);
+  EXPECT_THROW(again.require_frames(2), InputError);
+  EXPECT_THROW(again.keep({ 0, 1 }, surface()), InputError);
   std::filesystem::remove(folder / "frames/run_000000.h5");
-  EXPECT_THROW(SeriesWriter(folder.path(), "run").keep(1), InputError);
+  EXPECT_THROW(again.keep({ 0 }, surface()), InputError);
 }
 
 TEST(SeriesWriter, NowhereToWriteIsAnIoError)

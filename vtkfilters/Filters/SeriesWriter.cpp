@@ -67,40 +67,55 @@ std::vector<std::filesystem::path> SeriesWriter::files() const
   return result;
 }
 
-void SeriesWriter::keep(std::size_t count)
+void SeriesWriter::require_frames(std::size_t count) const
 {
-  const auto there = count > 0 ? read_series(series_file()) : std::vector<SeriesFrame>{};
-  frames_.clear();
-  xdmf_frames_.clear();
   for (std::size_t i = 0; i < count; ++i)
   {
-    const auto grid = frame_name(i, ".vtu"), hdf5 = frame_name(i, ".h5");
-    for (const auto& frame : { grid, hdf5 })
+    for (const char* ending : { ".vtu", ".h5" })
     {
-      if (i >= there.size() || !std::filesystem::exists(folder_ / frame))
+      const auto frame = folder_ / frame_name(i, ending);
+      std::error_code ignored;
+      if (!std::filesystem::is_regular_file(frame, ignored))
       {
-        throw InputError(fmt::format("{}: frame {} is missing; the run can't be gone on with",
-          series_file().string(), (folder_ / frame).string()));
+        throw InputError(
+          fmt::format("{}: this frame is missing, and the run can't go on without it; bring it "
+                      "back, or start anew with --overwrite",
+            frame.string()));
       }
     }
-    frames_.push_back({ there[i].time, grid });
-    xdmf_frames_.push_back({ there[i].time, hdf5, read_frame_layout(folder_ / hdf5) });
+  }
+}
+
+void SeriesWriter::keep(const std::vector<double>& times, vtkPolyData* like)
+{
+  require_frames(times.size());
+  frames_.clear();
+  xdmf_frames_.clear();
+  const FrameLayout layout = layout_of(to_frame(like, 0));
+  for (const double time : times)
+  {
+    list(time, layout);
   }
   list_frames();
-  remove_frames_from(count);
+  remove_frames_from(times.size());
+}
+
+void SeriesWriter::list(double time, FrameLayout layout)
+{
+  const std::size_t index = frames_.size();
+  frames_.push_back({ time, frame_name(index, ".vtu") });
+  xdmf_frames_.push_back({ time, frame_name(index, ".h5"), std::move(layout) });
 }
 
 void SeriesWriter::append(vtkPolyData* surface, double time)
 {
   make_folder(folder_ / "frames");
   const std::size_t index = frames_.size();
-  const auto grid = frame_name(index, ".vtu"), hdf5 = frame_name(index, ".h5");
   const auto timed = with_time(surface, time);
-  write_mesh(timed, folder_ / grid);
+  write_mesh(timed, folder_ / frame_name(index, ".vtu"));
   const Frame frame = to_frame(timed, time);
-  replace_file(folder_ / hdf5, frame_file_image(frame));
-  frames_.push_back({ time, grid });
-  xdmf_frames_.push_back({ time, hdf5, layout_of(frame) });
+  replace_file(folder_ / frame_name(index, ".h5"), frame_file_image(frame));
+  list(time, layout_of(frame));
   list_frames();
 }
 

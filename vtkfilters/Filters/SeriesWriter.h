@@ -23,9 +23,11 @@ class VESICLEFILTERS_EXPORT SeriesWriter
 public:
   SeriesWriter(std::filesystem::path folder, std::string name);
 
-  /// Goes on with the series in the folder after its first `count` frames; later ones are removed.
-  /// Throws InputError if there are fewer.
-  void keep(std::size_t count);
+  /// Throws InputError naming the file that is missing unless the first `count` frames are there.
+  void require_frames(std::size_t count) const;
+  /// Goes on with the series in the folder after the frames of these times, its first; later ones
+  /// are removed. All have the triangles and arrays of `like`. Throws InputError as well, as above.
+  void keep(const std::vector<double>& times, vtkPolyData* like);
 
   /// Adds a frame; a field data array TimeValue of one value holds the time as well.
   void append(vtkPolyData* surface, double time);
@@ -39,6 +41,7 @@ public:
 
 private:
   std::filesystem::path frame_name(std::size_t index, const char* ending) const;
+  void list(double time, FrameLayout layout);
   void list_frames() const;
   void remove_frames_from(std::size_t index) const;
 

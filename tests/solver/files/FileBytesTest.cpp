@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <functional>
 
 namespace vesicle::test
@@ -36,17 +37,34 @@ TEST(FileBytes, AreThoseThatWereWritten)
   EXPECT_EQ(read_file(folder / "file.txt"), bytes);
   replace_file(folder / "file.txt", "");
   EXPECT_EQ(read_file(folder / "file.txt"), "");
-  write_to_disk(folder / "file.txt", bytes, IfExists::replace);
-  EXPECT_EQ(read_file(folder / "file.txt"), bytes);
 }
 
-TEST(FileBytes, AnExistingFileIsKeptWhereThatIsAskedFor)
+TEST(FileBytes, LinksStayLinks)
 {
   const TemporaryFolder folder;
-  write_to_disk(folder / "file", "old", IfExists::fail);
-  const auto message = message_of([&] { write_to_disk(folder / "file", "new", IfExists::fail); });
-  EXPECT_NE(message.find("file: can't be written: File exists"), std::string::npos) << message;
-  EXPECT_EQ(read_file(folder / "file"), "old");
+  std::filesystem::create_directory(folder / "disk");
+  std::filesystem::create_symlink("disk/file.txt", folder / "file.txt");
+  for (const char* text : { "new", "newer" })
+  {
+    replace_file(folder / "file.txt", text);
+    EXPECT_TRUE(std::filesystem::is_symlink(folder / "file.txt"));
+    EXPECT_EQ(read_file(folder / "disk/file.txt"), text);
+  }
+  const std::filesystem::directory_iterator files(folder / "disk");
+  EXPECT_EQ(std::distance(begin(files), end(files)), 1);
+}
+
+TEST(FileBytes, WhatOthersWroteIsFinished)
+{
+  const TemporaryFolder folder;
+  const auto file = folder / "film.mp4";
+  std::ofstream(unfinished_name(file)) << "pictures";
+  finish_file(file);
+  EXPECT_EQ(read_file(file), "pictures");
+  EXPECT_FALSE(std::filesystem::exists(unfinished_name(file)));
+  EXPECT_EQ(message_of([&] { finish_file(file); }),
+    file.string() + ": can't be written: No such file or directory");
+  EXPECT_EQ(read_file(file), "pictures");
 }
 
 TEST(FileBytes, FailuresNameTheFileAndTheReasonAndLeaveNothing)
@@ -55,15 +73,11 @@ TEST(FileBytes, FailuresNameTheFileAndTheReasonAndLeaveNothing)
   const auto nowhere = folder / "nowhere/file.txt";
   EXPECT_EQ(message_of([&] { replace_file(nowhere, "text"); }),
     nowhere.string() + ": can't be written: No such file or directory");
-  EXPECT_EQ(message_of([&] { write_to_disk(nowhere, "text", IfExists::replace); }),
-    nowhere.string() + ": can't be written: No such file or directory");
   std::filesystem::create_directories(folder / "taken/by a folder");
   EXPECT_NE(message_of([&] { replace_file(folder / "taken", "text"); }), "no IoError");
   std::filesystem::remove_all(folder / "taken");
   const FullDisk full(4);
   EXPECT_NE(message_of([&] { replace_file(folder / "file", "longer"); }), "no IoError");
-  EXPECT_NE(
-    message_of([&] { write_to_disk(folder / "file", "longer", IfExists::replace); }), "no IoError");
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 

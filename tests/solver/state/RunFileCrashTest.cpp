@@ -27,7 +27,7 @@ bool last_write()
 
 }
 
-// The HDF5 library and the C++ library call these instead of the C library's.
+// Called instead of the C library's.
 extern "C" ssize_t pwrite(int file, const void* bytes, size_t size, off_t offset)
 {
   if (last_write())
@@ -80,9 +80,7 @@ bool append_and_die(const std::filesystem::path& file, int write)
     {
       run.append(state(i), row(i));
     }
-    {
-      const RunFile closed = std::move(run);
-    }
+    run.close();
     ::_exit(0);
   }
   int status = 0;
@@ -141,6 +139,6 @@ TEST(RunFileCrash, AnyWriteMayBeTheLast)
     EXPECT_TRUE(same_bits(run.state(), state(last + 1)));
   }
   EXPECT_EQ(rows_before, static_cast<std::size_t>(before + after));
-  EXPECT_GT(write, after * 20) << "the writes weren't caught";
+  EXPECT_GT(write, after * 4) << "the writes weren't caught";
   std::filesystem::remove_all(folder);
 }
