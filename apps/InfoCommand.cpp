@@ -3,6 +3,7 @@
 #include "apps/Commands.h"
 #include "apps/JsonText.h"
 #include "apps/MeshReport.h"
+#include "apps/StandardOutput.h"
 
 #include "vtkfilters/Filters/MeshConversion.h"
 #include "vtkfilters/Filters/MeshFiles.h"
@@ -43,10 +44,10 @@ void print_mesh(const InfoOptions& options)
   const MeshReport report = report_of(options.file);
   if (options.json)
   {
-    fmt::print("{}\n", json_text(to_json(report), 2));
+    print("{}\n", json_text(to_json(report), 2));
     return;
   }
-  fmt::print("{}\n{}", options.file, to_text(report));
+  print("{}\n{}", options.file, to_text(report));
 }
 
 /// A frame a line; as JSON an array of the meshes' objects with time and file.
@@ -55,9 +56,8 @@ void print_series(const InfoOptions& options)
   auto all = nlohmann::ordered_json::array();
   if (!options.json)
   {
-    fmt::print("{:>12} {:>10} {:>14} {:>14} {:>14} {:>12} {:>10} {:>10} {:>8}\n", "time",
-      "triangles", "area", "volume", "reduced volume", "E/8piEB", "min angle", "edge ratio",
-      "surface");
+    print("{:>12} {:>10} {:>14} {:>14} {:>14} {:>12} {:>10} {:>10} {:>8}\n", "time", "triangles",
+      "area", "volume", "reduced volume", "E/8piEB", "min angle", "edge ratio", "surface");
   }
   for (const auto& frame : read_series(options.file))
   {
@@ -71,13 +71,13 @@ void print_series(const InfoOptions& options)
     }
     const auto cell = [](std::optional<double> value)
     { return value ? fmt::format("{:.8g}", *value) : std::string("-"); };
-    fmt::print("{:>12.6g} {:>10} {:>14.8g} {:>14} {:>14} {:>12} {:>10.2f} {:>10.3f} {:>8}\n",
-      frame.time, r.triangles, r.area, cell(r.volume), cell(r.reduced_volume),
-      cell(r.energy_over_8pi), r.quality.min_angle_deg, r.quality.edge_ratio, surface_name(r));
+    print("{:>12.6g} {:>10} {:>14.8g} {:>14} {:>14} {:>12} {:>10.2f} {:>10.3f} {:>8}\n", frame.time,
+      r.triangles, r.area, cell(r.volume), cell(r.reduced_volume), cell(r.energy_over_8pi),
+      r.quality.min_angle_deg, r.quality.edge_ratio, surface_name(r));
   }
   if (options.json)
   {
-    fmt::print("{}\n", json_text(all, 2));
+    print("{}\n", json_text(all, 2));
   }
 }
 

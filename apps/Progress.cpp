@@ -1,4 +1,5 @@
 #include "apps/Progress.h"
+#include "apps/StandardOutput.h"
 
 #include "solver/dynamics/Diagnostics.h"
 
@@ -88,29 +89,29 @@ void Progress::say(const std::string& text)
     return;
   }
   end_line();
-  fmt::print("{}\n", text);
-  std::fflush(stdout);
+  print("{}\n", text);
+  flush_standard_output();
 }
 
 void Progress::overwrite(const std::string& line)
 {
   if (!terminal_)
   {
-    fmt::print("{}\n", line);
+    print("{}\n", line);
   }
   else
   {
-    fmt::print("\r{}\x1b[K", line); // to the line's start, and clear what is left of the old one
+    print("\r{}\x1b[K", line); // to the line's start, and clear what is left of the old one
     line_open_ = true;
   }
-  std::fflush(stdout);
+  flush_standard_output();
 }
 
 void Progress::end_line()
 {
   if (line_open_)
   {
-    fmt::print("\n");
+    print("\n");
     line_open_ = false;
   }
 }

@@ -2,6 +2,7 @@
 
 #include "apps/Commands.h"
 #include "apps/MeshReport.h"
+#include "apps/StandardOutput.h"
 
 #include "solver/surface/StartShape.h"
 #include "vtkfilters/Filters/MeshConversion.h"
@@ -51,7 +52,7 @@ int make(ShapeOptions options, bool with_reduced_volume)
   const auto surface = to_polydata(mesh);
   add_surface(basis, *report.reduced_volume, surface->GetFieldData());
   write_mesh(surface, file);
-  fmt::print("{}\n{}", file, to_text(report));
+  print("{}\n{}", file, to_text(report));
   return exit_code::done;
 }
 

@@ -1,6 +1,7 @@
 // vesicle validate: every published benchmark, computed beside its reference.
 
 #include "apps/Commands.h"
+#include "apps/StandardOutput.h"
 #include "apps/validate/Cases.h"
 
 #include <CLI/CLI.hpp>
@@ -26,8 +27,8 @@ int list_cases(const std::vector<validation::Case>& cases)
 {
   for (const validation::Case& item : cases)
   {
-    fmt::print("{:<28} {} {}\n", item.name,
-      item.set == validation::Case::Set::full ? "full" : "    ", item.about);
+    print("{:<28} {} {}\n", item.name, item.set == validation::Case::Set::full ? "full" : "    ",
+      item.about);
   }
   return exit_code::done;
 }

@@ -1,6 +1,7 @@
 // The command `vesicle`.
 
 #include "apps/Commands.h"
+#include "apps/StandardOutput.h"
 
 #include "solver/Doing.h"
 #include "solver/Errors.h"
@@ -11,8 +12,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cerrno>
 #include <iostream>
 #include <string>
+#include <system_error>
 
 namespace vesicle
 {
@@ -58,6 +61,18 @@ int carry_out(const Action& action, const std::string& command)
   }
 }
 
+/// What a command ends with that did its work, if its words got out. A reader who left needs none.
+int checked_output(int code)
+{
+  const int reason = standard_output_error();
+  if (reason != 0 && reason != EPIPE)
+  {
+    std::cerr << "vesicle: standard output: can't be written: "
+              << std::generic_category().message(reason) << '\n';
+  }
+  return reason != 0 && code == exit_code::done ? exit_code::io : code;
+}
+
 /// VTK would log every message, also those that are caught and told in our own words.
 void use_output_window_only()
 {
@@ -95,7 +110,8 @@ int run_command_line(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
+  vesicle::prepare_standard_streams();
   vesicle::restart_with_blas_kernel(argv);
   vesicle::use_output_window_only();
-  return vesicle::run_command_line(argc, argv);
+  return vesicle::checked_output(vesicle::run_command_line(argc, argv));
 }

@@ -1,21 +1,21 @@
 #include "render/Ffmpeg.h"
 
 #include "solver/Errors.h"
+#include "solver/files/FileBytes.h"
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
 #include <sstream>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
-
-extern char** environ;
 
 namespace vesicle
 {
@@ -51,32 +51,46 @@ std::string read_all(int descriptor)
   }
 }
 
-/// Runs a program without a shell in that folder and waits for it.
+/// What the new process does: calls that are allowed after a fork only.
+[[noreturn]] void become(
+  char* const* words, const char* folder, pid_t parent, int error_output) noexcept
+{
+  // The film is the parent's: without it nobody would give the file its name.
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  const int nothing = open("/dev/null", O_RDWR);
+  if (getppid() == parent && nothing >= 0 && chdir(folder) == 0 &&
+    dup2(nothing, STDIN_FILENO) >= 0 && dup2(nothing, STDOUT_FILENO) >= 0 &&
+    dup2(error_output, STDERR_FILENO) >= 0)
+  {
+    std::signal(SIGPIPE, SIG_DFL);
+    execv(words[0], words);
+  }
+  _exit(127);
+}
+
+/// Runs a program without a shell in that folder and waits for it. It ends with this program.
 Outcome run_program(std::vector<std::string> words, const std::filesystem::path& folder)
 {
-  int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0)
-  {
-    throw IoError(fmt::format("can't start {}: {}", words[0], std::strerror(errno)));
-  }
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
   std::vector<char*> arguments;
   for (auto& word : words)
   {
     arguments.push_back(word.data());
   }
   arguments.push_back(nullptr);
-  pid_t child = 0;
-  const int failure =
-    posix_spawn(&child, words[0].c_str(), &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
+  int ends[2];
+  if (pipe2(ends, O_CLOEXEC) != 0)
+  {
+    throw IoError(fmt::format("can't start {}: {}", words[0], std::strerror(errno)));
+  }
+  const pid_t parent = getpid();
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    become(arguments.data(), folder.c_str(), parent, ends[1]);
+  }
+  const int failure = errno;
   close(ends[1]);
-  if (failure != 0)
+  if (child < 0)
   {
     close(ends[0]);
     throw IoError(fmt::format("can't start {}: {}", words[0], std::strerror(failure)));
@@ -127,23 +141,17 @@ FrameRate frame_rate(int frames)
 std::optional<std::string> encode_film(const std::filesystem::path& ffmpeg,
   const std::filesystem::path& folder, FrameRate rate, const std::filesystem::path& film)
 {
-  const auto target = std::filesystem::absolute(film);
-  const auto partial =
-    target.parent_path() / fmt::format(".{}.partial.mp4", target.stem().string());
+  const auto partial = unfinished_name(std::filesystem::absolute(film));
   const Outcome outcome = run_program(
-    { ffmpeg.string(), "-nostdin", "-hide_banner", "-loglevel", "error", "-y", "-framerate",
-      fmt::format("{}/{}", rate.frames, rate.seconds), "-i", "frame_%06d.png", "-vf",
+    { ffmpeg.string(), "-nostdin", "-hide_banner", "-loglevel", "error", "-xerror", "-y",
+      "-framerate", fmt::format("{}/{}", rate.frames, rate.seconds), "-i", "frame_%06d.png", "-vf",
       "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white", "-c:v", "libx264", "-preset", "medium", "-crf",
-      "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart", partial.string() },
+      "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f", "mp4", partial.string() },
     folder);
-  std::error_code failure;
-  if (outcome.status == 0)
+  if (outcome.status == 0 && outcome.words.empty())
   {
-    std::filesystem::rename(partial, target, failure);
-    if (!failure)
-    {
-      return {};
-    }
+    finish_file(film);
+    return {};
   }
   std::error_code ignored;
   std::filesystem::remove(partial, ignored);
@@ -152,10 +160,8 @@ std::optional<std::string> encode_film(const std::filesystem::path& ffmpeg,
     return fmt::format(
       "no film: {} can't encode H.264; the pictures are in {}", ffmpeg.string(), folder.string());
   }
-  throw IoError(fmt::format("can't write {}: {}", target.string(),
-    failure                   ? failure.message()
-      : outcome.words.empty() ? "ffmpeg stopped"
-                              : "ffmpeg says: " + outcome.words));
+  throw IoError(fmt::format("{}: can't be written: {}", film.string(),
+    outcome.words.empty() ? "ffmpeg stopped" : "ffmpeg says: " + outcome.words));
 }
 
 }

@@ -5,6 +5,7 @@
 #include "render/VelocityArrows.h"
 #include "solver/Doing.h"
 #include "solver/Errors.h"
+#include "solver/files/FileBytes.h"
 #include "vtkfilters/Filters/MeshFiles.h"
 
 #include "vtkDataArray.h"
@@ -128,13 +129,8 @@ bool is_picture_name(const std::string& name)
 
 void prepare_folder(const fs::path& folder)
 {
+  make_folder(folder);
   std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (failure || !fs::is_directory(folder))
-  {
-    throw IoError(fmt::format("can't make the folder {}: {}", folder.string(),
-      failure ? failure.message() : "a file has that name"));
-  }
   for (const auto& entry : fs::directory_iterator(folder, failure))
   {
     if (is_picture_name(entry.path().filename().string()))

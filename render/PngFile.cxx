@@ -1,6 +1,7 @@
 #include "render/PngFile.h"
 
 #include "solver/Errors.h"
+#include "solver/files/FileBytes.h"
 
 #include "vtkImageData.h"
 #include "vtkNew.h"
@@ -8,10 +9,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <fmt/format.h>
-
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 
 namespace vesicle
 {
@@ -30,15 +27,8 @@ void write_png(const std::filesystem::path& file, vtkImageData* image)
   {
     throw IoError(fmt::format("can't encode the picture for {}", file.string()));
   }
-  errno = 0;
-  std::ofstream out(file, std::ios::binary | std::ios::trunc);
-  out.write(reinterpret_cast<const char*>(png->GetPointer(0)), png->GetNumberOfValues());
-  out.close();
-  if (!out)
-  {
-    throw IoError(fmt::format("can't write {}: {}", file.string(),
-      errno ? std::strerror(errno) : "the file could not be written in full"));
-  }
+  const auto* bytes = reinterpret_cast<const char*>(png->GetPointer(0));
+  replace_file(file, { bytes, static_cast<std::size_t>(png->GetNumberOfValues()) });
 }
 
 }

@@ -1,4 +1,5 @@
 #include "apps/validate/Report.h"
+#include "apps/StandardOutput.h"
 
 #include "apps/Progress.h"
 
@@ -86,15 +87,15 @@ Report::Report(Options options) : options_(std::move(options)), began_(Clock::no
   {
     make_folder(*options_.plots);
   }
-  fmt::print(line_format, "", "reference", "computed", "error", "tolerance", "", "time");
+  print(line_format, "", "reference", "computed", "error", "tolerance", "", "time");
 }
 
 void Report::begin(const std::string& name, const std::string& about)
 {
   case_ = name;
   last_ = Clock::now();
-  fmt::print("{}: {}\n", name, about);
-  std::fflush(stdout);
+  print("{}: {}\n", name, about);
+  flush_standard_output();
 }
 
 void Report::add(Row row)
@@ -102,14 +103,14 @@ void Report::add(Row row)
   const auto now = Clock::now();
   row.seconds = seconds(now - last_);
   last_ = now;
-  fmt::print(line_format, row.name, reference_cell(row), number(row.computed),
+  print(line_format, row.name, reference_cell(row), number(row.computed),
     error_cell(row, row.error), error_cell(row, row.tolerance), row.passed ? "ok" : "FAIL",
     fmt::format("{:.1f} s", row.seconds));
   if (!row.note.empty())
   {
-    fmt::print("    {}\n", row.note);
+    print("    {}\n", row.note);
   }
-  std::fflush(stdout);
+  flush_standard_output();
   row.name = case_ + "/" + row.name;
   rows_.push_back(std::move(row));
   write_json();
@@ -123,7 +124,7 @@ int Report::failures() const
 
 void Report::print_total() const
 {
-  fmt::print("{} rows, {} failed, {}\n", rows_.size(), failures(),
+  print("{} rows, {} failed, {}\n", rows_.size(), failures(),
     duration_text(seconds(Clock::now() - began_)));
 }
 
