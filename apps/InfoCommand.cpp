@@ -9,7 +9,6 @@
 #include "vtkfilters/Filters/MeshFiles.h"
 #include "vtkfilters/Filters/SceneNumbers.h"
 #include "vtkfilters/Filters/SeriesFile.h"
-#include "solver/mesh/Preparation.h"
 
 #include "vtkFieldData.h"
 #include "vtkPolyData.h"
@@ -33,10 +32,8 @@ struct InfoOptions
 
 MeshReport report_of(const std::filesystem::path& file)
 {
-  const auto surface = read_mesh(file);
-  const TriangleMesh mesh = to_mesh(surface);
-  check_indices(mesh, file.string());
-  return MeshReport(mesh, surface_basis(surface->GetFieldData()));
+  const auto surface = without_ghosts(read_mesh(file));
+  return MeshReport(to_mesh(surface), surface_basis(surface->GetFieldData()));
 }
 
 void print_mesh(const InfoOptions& options)

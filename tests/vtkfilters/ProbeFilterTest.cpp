@@ -352,6 +352,10 @@ TEST(ProbeFilter, SaysWhatTheSourceLacks)
   expect_refused(sphere, "Flow_Rate");
   sphere = solid_sphere(Scene::Basis::linear);
   sphere->GetPoints()->InsertNextPoint(0, 0, 0);
+  for (int i = 0; i < sphere->GetPointData()->GetNumberOfArrays(); ++i)
+  {
+    sphere->GetPointData()->GetArray(i)->InsertNextTuple(0, sphere->GetPointData()->GetArray(i));
+  }
   expect_refused(sphere, "no triangle uses");
   expect_refused(vtkNew<vtkUnstructuredGrid>(), "");
 }

@@ -1,25 +1,17 @@
 #include "MeshConversion.h"
 
-#include "solver/Errors.h"
-
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
-#include "vtkCellType.h"
 #include "vtkCleanPolyData.h"
 #include "vtkDataArray.h"
-#include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkTriangleFilter.h"
 #include "vtkUnstructuredGrid.h"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -48,18 +40,6 @@ std::vector<FrameArray> to_frame_arrays(vtkFieldData* data)
     arrays.push_back({ array->GetName(), std::move(values) });
   }
   return arrays;
-}
-
-/// The corners of a flat cell that a surface is made of; false for other cells.
-bool is_polygon(int cell_type)
-{
-  return cell_type == VTK_TRIANGLE || cell_type == VTK_QUAD || cell_type == VTK_POLYGON;
-}
-
-bool is_ignored(int cell_type)
-{
-  return cell_type == VTK_VERTEX || cell_type == VTK_POLY_VERTEX || cell_type == VTK_LINE ||
-    cell_type == VTK_POLY_LINE || cell_type == VTK_EMPTY_CELL;
 }
 
 bool uses_all_points(vtkPolyData* surface)
@@ -190,56 +170,9 @@ vtkSmartPointer<vtkUnstructuredGrid> to_unstructured_grid(vtkPolyData* surface)
   return grid;
 }
 
-vtkSmartPointer<vtkPolyData> polygons_of(vtkDataSet* grid, const std::string& name)
+vtkSmartPointer<vtkPolyData> membrane_of(vtkPolyData* input, const std::string& name)
 {
-  auto* points = vtkPointSet::SafeDownCast(grid);
-  if (!points || !points->GetPoints())
-  {
-    throw InputError(name + ": holds no surface; a mesh of triangles is needed");
-  }
-  vtkNew<vtkCellArray> polygons;
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
-  {
-    const int type = grid->GetCellType(cell);
-    if (is_polygon(type))
-    {
-      grid->GetCellPoints(cell, corners);
-      polygons->InsertNextCell(corners);
-    }
-    else if (!is_ignored(type))
-    {
-      throw InputError(
-        fmt::format("{}: cell {} is of VTK's type {}, not a flat polygon; extract the "
-                    "surface as linear triangles first",
-          name, cell, type));
-    }
-  }
-  auto surface = vtkSmartPointer<vtkPolyData>::New();
-  surface->SetPoints(points->GetPoints());
-  surface->SetPolys(polygons);
-  surface->GetPointData()->ShallowCopy(grid->GetPointData());
-  surface->GetFieldData()->ShallowCopy(grid->GetFieldData());
-  if (polygons->GetNumberOfCells() == grid->GetNumberOfCells())
-  {
-    surface->GetCellData()->ShallowCopy(grid->GetCellData());
-  }
-  return surface;
-}
-
-vtkSmartPointer<vtkPolyData> triangulated(vtkPolyData* surface)
-{
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(surface);
-  triangles->PassVertsOff();
-  triangles->PassLinesOff();
-  triangles->Update();
-  return triangles->GetOutput();
-}
-
-vtkSmartPointer<vtkPolyData> membrane_of(vtkPolyData* input)
-{
-  auto surface = triangulated(input);
+  auto surface = without_ghosts(triangulated(input, name));
   if (surface->GetNumberOfPolys() == 0 || uses_all_points(surface))
   {
     return surface;

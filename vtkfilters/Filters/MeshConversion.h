@@ -4,6 +4,7 @@
 #include "VesicleFiltersModule.h"
 
 #include "solver/mesh/TriangleMesh.h"
+#include "solver/mesh/io/SurfaceFile.h"
 #include "solver/state/FrameFile.h"
 
 #include "vtkSmartPointer.h"
@@ -11,7 +12,7 @@
 #include <string>
 
 class vtkCellArray;
-class vtkDataSet;
+class vtkDataObject;
 class vtkDoubleArray;
 class vtkPoints;
 class vtkPolyData;
@@ -20,7 +21,7 @@ class vtkUnstructuredGrid;
 namespace vesicle
 {
 
-/// Points and triangles of a surface; cells other than triangles are left out.
+/// Points and triangles of a surface as triangulated() makes it; other cells are left out.
 VESICLEFILTERS_EXPORT TriangleMesh to_mesh(vtkPolyData* surface);
 
 VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> to_polydata(const TriangleMesh& mesh);
@@ -42,15 +43,31 @@ VESICLEFILTERS_EXPORT Frame to_frame(vtkPolyData* surface, double time);
 VESICLEFILTERS_EXPORT vtkSmartPointer<vtkUnstructuredGrid> to_unstructured_grid(
   vtkPolyData* surface);
 
-/// The polygons of a grid on its own points, in its own order, with its arrays; vertices and lines
-/// are left out. Throws InputError "name: …" for any other cell.
-VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> polygons_of(
-  vtkDataSet* grid, const std::string& name);
+// The three ways in, each checked before anything follows a number of it: offsets and corners of
+// cells, finite coordinates, a value of each array for each point and cell. Polygons and strips are
+// cut into triangles as triangulate() of the solver does, vertices and lines left out; arrays pass
+// through, those of cells with their polygons. Throw InputError "name: …" with the face and the
+// index.
 
-/// Polygons and strips cut into triangles, vertices and lines left out; the arrays pass through.
-VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> triangulated(vtkPolyData* surface);
+VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> triangulated(
+  vtkPolyData* surface, const std::string& name = "input");
 
-/// Triangles as triangulated() makes them and the points that they use, with all arrays.
-VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> membrane_of(vtkPolyData* surface);
+/// Of a vtkPolyData or of a vtkUnstructuredGrid on its own points; an InputError for other data and
+/// for cells that aren't flat polygons.
+VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> triangulated(
+  vtkDataObject* surface, const std::string& name);
+
+VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> triangulated(
+  const SurfaceFile& file, const std::string& name);
+
+/// A triangulated surface without what other pieces of it have, too, or what is hidden: cells that
+/// vtkGhostType marks as DUPLICATECELL or HIDDENCELL, or with a point that is a HIDDENPOINT. The
+/// points stay.
+VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> without_ghosts(vtkPolyData* triangles);
+
+/// Triangles as triangulated() makes them, without ghosts, and the points that they use, with all
+/// arrays.
+VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> membrane_of(
+  vtkPolyData* surface, const std::string& name = "input");
 
 }

@@ -5,16 +5,17 @@
 
 #include "solver/Errors.h"
 #include "solver/files/FileBytes.h"
-#include "solver/mesh/io/TextMeshes.h"
+#include "solver/mesh/io/LegacyVtkFile.h"
+#include "solver/mesh/io/ObjFile.h"
+#include "solver/mesh/io/OffFile.h"
+#include "solver/mesh/io/PlyFile.h"
+#include "solver/mesh/io/StlFile.h"
 
-#include "vtkDataSetReader.h"
 #include "vtkErrorCode.h"
 #include "vtkNew.h"
-#include "vtkPLYReader.h"
 #include "vtkPLYWriter.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataWriter.h"
-#include "vtkSTLReader.h"
 #include "vtkSTLWriter.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkXMLPolyDataReader.h"
@@ -52,7 +53,7 @@ std::string ending(const path& file)
 
 /// Runs a VTK reader; whatever it complains about makes the file unusable.
 template<class Reader>
-vtkSmartPointer<vtkDataSet> read_with(Reader* reader, const path& file)
+Surface read_with(Reader* reader, const path& file)
 {
   const VtkMessages messages;
   reader->SetFileName(file.c_str());
@@ -64,24 +65,23 @@ vtkSmartPointer<vtkDataSet> read_with(Reader* reader, const path& file)
       fmt::format("is not a complete {} file{}{}; write it again or use another format",
         ending(file), messages.any_error() ? ": " : "", messages.first_error()));
   }
-  return data;
+  return triangulated(static_cast<vtkDataObject*>(data), file.string());
 }
 
 template<class Reader>
-vtkSmartPointer<vtkDataSet> read_by(const path& file)
+Surface read_by(const path& file)
 {
   vtkNew<Reader> reader;
   return read_with(reader.Get(), file);
 }
 
-vtkSmartPointer<vtkDataSet> read_obj(const path& file)
-{
-  return to_polydata(parse_obj(read_file(file), file.string()));
-}
+using Read = SurfaceFile (*)(std::string_view, const std::string&);
 
-vtkSmartPointer<vtkDataSet> read_off(const path& file)
+/// By a reader of bytes.
+template<Read read>
+Surface read_by(const path& file)
 {
-  return to_polydata(parse_off(read_file(file), file.string()));
+  return triangulated(read(read_file(file), file.string()), file.string());
 }
 
 template<class Writer>
@@ -183,7 +183,7 @@ void write_ply(vtkPolyData* surface, const path& file)
 
 struct Format
 {
-  std::function<vtkSmartPointer<vtkDataSet>(const path&)> read;
+  std::function<Surface(const path&)> read;
   std::function<void(vtkPolyData*, const path&)> write;
 };
 
@@ -195,15 +195,15 @@ const std::map<std::string, Format>& formats()
         [](vtkPolyData* surface, const path& file)
         { write_xml<vtkXMLUnstructuredGridWriter>(to_unstructured_grid(surface), file); } } },
     { ".vtp", { read_by<vtkXMLPolyDataReader>, write_xml<vtkXMLPolyDataWriter> } },
-    { ".vtk", { read_by<vtkDataSetReader>, write_legacy } },
-    { ".stl", { read_by<vtkSTLReader>, write_stl } },
-    { ".ply", { read_by<vtkPLYReader>, write_ply } },
+    { ".vtk", { read_by<read_legacy_vtk>, write_legacy } },
+    { ".stl", { read_by<read_stl>, write_stl } },
+    { ".ply", { read_by<read_ply>, write_ply } },
     { ".obj",
-      { read_obj,
+      { read_by<read_obj>,
         [](vtkPolyData* surface, const path& file)
         { replace_file(file, obj_text(to_mesh(surface))); } } },
     { ".off",
-      { read_off,
+      { read_by<read_off>,
         [](vtkPolyData* surface, const path& file)
         { replace_file(file, off_text(to_mesh(surface))); } } },
   };
@@ -233,9 +233,7 @@ vtkSmartPointer<vtkPolyData> read_mesh(const path& file)
 {
   const Format& format = format_of(file);
   require_file(file);
-  const auto data = format.read(file);
-  auto surface = Surface(vtkPolyData::SafeDownCast(data));
-  surface = triangulated(surface ? surface : polygons_of(data, file.string()));
+  const auto surface = format.read(file);
   if (surface->GetNumberOfPolys() == 0)
   {
     unreadable(file, "holds no triangles; a surface mesh is needed");

@@ -8,7 +8,6 @@
 #include "solver/membrane/HelfrichBending.h"
 #include "solver/mesh/Connectivity.h"
 #include "solver/mesh/MeshIntegrals.h"
-#include "solver/mesh/Preparation.h"
 #include "solver/mesh/Topology.h"
 #include "solver/surface/Surface.h"
 
@@ -204,16 +203,15 @@ int vtkVesicleCurvatureFilter::RequestData(
 {
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
-  output->ShallowCopy(vesicle::triangulated(input));
-  if (output->GetNumberOfPolys() == 0)
-  {
-    vtkWarningMacro(<< "the input has no triangles: no curvature is computed");
-    return 1;
-  }
   try
   {
+    output->ShallowCopy(vesicle::triangulated(input));
+    if (output->GetNumberOfPolys() == 0)
+    {
+      vtkWarningMacro(<< "the input has no triangles: no curvature is computed");
+      return 1;
+    }
     TriangleMesh mesh = vesicle::to_mesh(output);
-    vesicle::check_indices(mesh, "input");
     const vesicle::Topology topology = vesicle::topology(mesh);
     if (!topology.oriented)
     {
@@ -242,6 +240,7 @@ int vtkVesicleCurvatureFilter::RequestData(
   }
   catch (const std::exception& error)
   {
+    output->Initialize();
     vtkErrorMacro(<< error.what());
     return 0;
   }

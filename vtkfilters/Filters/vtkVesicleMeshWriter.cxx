@@ -1,13 +1,12 @@
 #include "vtkVesicleMeshWriter.h"
 
+#include "MeshConversion.h"
 #include "MeshFiles.h"
 
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkTriangleFilter.h"
 
 #include <exception>
 
@@ -33,14 +32,10 @@ void vtkVesicleMeshWriter::WriteData()
     vtkErrorMacro(<< "no file: set FileName");
     return;
   }
-  vtkNew<vtkTriangleFilter> triangles;
-  triangles->SetInputData(vtkPolyData::SafeDownCast(this->GetInput()));
-  triangles->PassVertsOff();
-  triangles->PassLinesOff();
-  triangles->Update();
   try
   {
-    vesicle::write_mesh(triangles->GetOutput(), this->FileName);
+    vesicle::write_mesh(
+      vesicle::triangulated(vtkPolyData::SafeDownCast(this->GetInput())), this->FileName);
   }
   catch (const std::exception& error)
   {

@@ -128,11 +128,7 @@ public:
 private:
   static vtkSmartPointer<vtkPolyData> SurfaceOf(vtkDataObject* source)
   {
-    vtkSmartPointer<vtkPolyData> surface = vtkPolyData::SafeDownCast(source);
-    surface = vesicle::triangulated(surface
-        ? surface.Get()
-        : vesicle::polygons_of(vtkDataSet::SafeDownCast(source), "source").Get());
-    return surface;
+    return vesicle::without_ghosts(vesicle::triangulated(source, "source"));
   }
 
   vtkSmartPointer<vtkPolyData> Surface;

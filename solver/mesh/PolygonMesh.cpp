@@ -1,0 +1,86 @@
+#include "solver/mesh/PolygonMesh.h"
+
+#include "solver/Errors.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+namespace vesicle
+{
+
+void PolygonList::close(std::int64_t from_cell)
+{
+  offsets.push_back(static_cast<std::int64_t>(corners.size()));
+  cell.push_back(from_cell);
+}
+
+void PolygonList::add(std::span<const std::int64_t> polygon, std::int64_t from_cell)
+{
+  corners.insert(corners.end(), polygon.begin(), polygon.end());
+  close(from_cell);
+}
+
+void PolygonList::add_strip(std::span<const std::int64_t> strip, std::int64_t from_cell)
+{
+  for (std::size_t i = 2; i < strip.size(); ++i)
+  {
+    const std::int64_t turn = i % 2;
+    corners.insert(corners.end(), { strip[i - 2 + turn], strip[i - 1 - turn], strip[i] });
+    close(from_cell);
+  }
+}
+
+void check_points(const Points& points, const std::string& name)
+{
+  if (points.rows() >= std::numeric_limits<int>::max())
+    throw InputError(fmt::format("{}: {} points are more than a mesh here can have, {}", name,
+      points.rows(), std::numeric_limits<int>::max()));
+  if (points.allFinite())
+    return;
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+  {
+    if (!points.row(i).allFinite())
+      throw InputError(
+        fmt::format("{}: point {} is ({}, {}, {}): coordinates must be finite numbers", name, i,
+          points(i, 0), points(i, 1), points(i, 2)));
+  }
+}
+
+void check_corners(
+  const PolygonList& polygons, std::int64_t points, const std::string& name, int first)
+{
+  for (std::int64_t i = 0; i < polygons.size(); ++i)
+  {
+    for (const std::int64_t corner : polygons[i])
+    {
+      if (corner >= 0 && corner < points)
+        continue;
+      throw InputError(points == 0
+          ? fmt::format(
+              "{}: face {} uses point {}, but there are no points", name, i + first, corner + first)
+          : fmt::format("{}: face {} uses point {}, but the points are numbered {} to {}", name,
+              i + first, corner + first, first, points - 1 + first));
+    }
+  }
+}
+
+void check_offsets(std::span<const std::int64_t> offsets, std::int64_t corners,
+  const std::string& what, const std::string& name)
+{
+  if (offsets.empty())
+    return;
+  for (std::size_t i = 0; i < offsets.size(); ++i)
+  {
+    const std::int64_t least = i == 0 ? 0 : offsets[i - 1];
+    if (offsets[i] < least || offsets[i] > corners || (i == 0 && offsets[i] != 0))
+      throw InputError(fmt::format(
+        "{}: offset {} of the {} is {}, which should lie between {} and {}, the number of corners",
+        name, i, what, offsets[i], least, i == 0 ? 0 : corners));
+  }
+  if (offsets.back() != corners)
+    throw InputError(fmt::format("{}: the {} end at corner {}, but {} corners are listed", name,
+      what, offsets.back(), corners));
+}
+
+}

@@ -1,0 +1,367 @@
+// The ways in of MeshConversion.h: surfaces of files and pipelines, checked and as triangles.
+
+#include "MeshConversion.h"
+
+#include "solver/Errors.h"
+#include "solver/mesh/PolygonMesh.h"
+#include "solver/mesh/Triangulation.h"
+#include "solver/mesh/io/CellTypes.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkTypeInt64Array.h"
+#include "vtkTypeTraits.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <type_traits>
+
+namespace vesicle
+{
+namespace
+{
+
+/// The cells' offsets and corners, checked against each other.
+struct CellList
+{
+  CellList(vtkCellArray* cells, const std::string& what, const std::string& name)
+    : offsets(numbers(cells->GetOffsetsArray())), corners(numbers(cells->GetConnectivityArray()))
+  {
+    check_offsets(offsets, static_cast<std::int64_t>(corners.size()), what, name);
+  }
+
+  std::int64_t size() const
+  {
+    return offsets.empty() ? 0 : static_cast<std::int64_t>(offsets.size()) - 1;
+  }
+  std::span<const std::int64_t> operator[](std::int64_t i) const
+  {
+    return { corners.data() + offsets[i], static_cast<std::size_t>(offsets[i + 1] - offsets[i]) };
+  }
+
+  static std::vector<std::int64_t> numbers(vtkDataArray* array)
+  {
+    std::vector<std::int64_t> result(array->GetNumberOfTuples());
+    if (result.empty())
+      return result;
+    if (array->GetDataTypeSize() == sizeof(std::int64_t))
+      std::copy_n(
+        static_cast<const std::int64_t*>(array->GetVoidPointer(0)), result.size(), result.begin());
+    else
+      std::copy_n(
+        static_cast<const std::int32_t*>(array->GetVoidPointer(0)), result.size(), result.begin());
+    return result;
+  }
+
+  std::vector<std::int64_t> offsets;
+  std::vector<std::int64_t> corners;
+};
+
+Points points_of(vtkPointSet* surface)
+{
+  Points points(surface->GetPoints() ? surface->GetNumberOfPoints() : 0, 3);
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+    surface->GetPoints()->GetPoint(i, points.row(i).data());
+  return points;
+}
+
+void check_arrays(
+  vtkFieldData* arrays, std::int64_t count, const std::string& what, const std::string& name)
+{
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = arrays->GetAbstractArray(i);
+    if (array->GetNumberOfTuples() < count)
+      throw InputError(fmt::format("{}: the array {} has {} values for {} {}", name,
+        array->GetName() ? array->GetName() : "(without a name)", array->GetNumberOfTuples(), count,
+        what));
+  }
+}
+
+struct Cells
+{
+  PolygonList polygons;
+  std::int64_t count = 0; ///< with those that aren't polygons
+};
+
+Cells cells_of(vtkPolyData* surface, const std::string& name)
+{
+  const CellList verts(surface->GetVerts(), "vertices", name);
+  const CellList lines(surface->GetLines(), "lines", name);
+  const CellList polygons(surface->GetPolys(), "polygons", name);
+  const CellList strips(surface->GetStrips(), "triangle strips", name);
+  Cells cells;
+  cells.count = verts.size() + lines.size();
+  for (std::int64_t i = 0; i < polygons.size(); ++i)
+    cells.polygons.add(polygons[i], cells.count + i);
+  cells.count += polygons.size();
+  for (std::int64_t i = 0; i < strips.size(); ++i)
+    cells.polygons.add_strip(strips[i], cells.count + i);
+  cells.count += strips.size();
+  return cells;
+}
+
+Cells cells_of(vtkUnstructuredGrid* grid, const std::string& name)
+{
+  Cells cells;
+  vtkUnsignedCharArray* types = grid->GetCellTypesArray();
+  if (!grid->GetCells() || !types)
+    return cells;
+  const CellList list(grid->GetCells(), "cells", name);
+  if (types->GetNumberOfValues() != list.size())
+    throw InputError(fmt::format(
+      "{}: there are {} types of {} cells", name, types->GetNumberOfValues(), list.size()));
+  cells.count = list.size();
+  for (std::int64_t i = 0; i < list.size(); ++i)
+    add_cell(cells.polygons, types->GetValue(i), list[i], i, name);
+  return cells;
+}
+
+/// Each cell's values go to all of its triangles.
+void copy_cell_data(vtkCellData* from, const std::vector<std::int64_t>& cells, vtkCellData* to)
+{
+  const auto count = static_cast<vtkIdType>(cells.size());
+  vtkNew<vtkIdList> source, target;
+  source->SetNumberOfIds(count);
+  target->SetNumberOfIds(count);
+  std::copy(cells.begin(), cells.end(), source->GetPointer(0));
+  std::iota(target->GetPointer(0), target->GetPointer(0) + count, vtkIdType(0));
+  to->CopyAllOn();
+  to->CopyAllocate(from, count);
+  to->CopyData(from, source, target);
+}
+
+/// The same points and arrays with triangles for cells.
+vtkSmartPointer<vtkPolyData> with_triangles(vtkPoints* points, vtkPointData* point_data,
+  vtkCellData* cell_data, vtkFieldData* field_data, const Triangulation& triangulation)
+{
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->SetPoints(points);
+  surface->SetPolys(to_cells(triangulation.triangles));
+  surface->GetPointData()->ShallowCopy(point_data);
+  surface->GetFieldData()->ShallowCopy(field_data);
+  copy_cell_data(cell_data, triangulation.cell, surface->GetCellData());
+  return surface;
+}
+
+/// Whether triangulating changes nothing.
+bool has_only(vtkPolyData* surface, const Triangulation& triangulation)
+{
+  const auto triangles = triangulation.triangles.rows();
+  return surface->GetNumberOfPolys() == triangles && surface->GetPolys()->IsHomogeneous() == 3 &&
+    surface->GetNumberOfCells() == triangles;
+}
+
+template<typename Data>
+vtkSmartPointer<vtkPolyData> as_triangles(Data* surface, const std::string& name)
+{
+  const Points points = points_of(surface);
+  const Cells cells = cells_of(surface, name);
+  check_points(points, name);
+  check_corners(cells.polygons, points.rows(), name);
+  check_arrays(surface->GetPointData(), points.rows(), "points", name);
+  check_arrays(surface->GetCellData(), cells.count, "cells", name);
+  const Triangulation triangulation = triangulate(points, cells.polygons, name);
+  if constexpr (std::is_same_v<Data, vtkPolyData>)
+  {
+    if (has_only(surface, triangulation))
+    {
+      auto same = vtkSmartPointer<vtkPolyData>::New();
+      same->ShallowCopy(surface);
+      return same;
+    }
+  }
+  return with_triangles(surface->GetPoints(), surface->GetPointData(), surface->GetCellData(),
+    surface->GetFieldData(), triangulation);
+}
+
+template<typename T>
+vtkSmartPointer<vtkAbstractArray> to_vtk(const std::vector<T>& values, const DataArray& array)
+{
+  const int type = array.ids ? VTK_ID_TYPE : vtkTypeTraits<T>::VTK_TYPE_ID;
+  auto result = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(type));
+  result->SetNumberOfComponents(array.components);
+  result->SetNumberOfTuples(array.tuples());
+  std::copy(values.begin(), values.end(), static_cast<T*>(result->GetVoidPointer(0)));
+  return result;
+}
+
+vtkSmartPointer<vtkAbstractArray> to_vtk(
+  const std::vector<std::string>& values, const DataArray& array)
+{
+  auto result = vtkSmartPointer<vtkStringArray>::New();
+  result->SetNumberOfComponents(array.components);
+  result->SetNumberOfTuples(array.tuples());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    result->SetValue(static_cast<vtkIdType>(i), values[i]);
+  return result;
+}
+
+vtkSmartPointer<vtkAbstractArray> to_vtk(const DataArray& array)
+{
+  auto result = std::visit([&](const auto& v) { return to_vtk(v, array); }, array.values);
+  result->SetName(array.name.c_str());
+  for (std::size_t i = 0; i < array.component_names.size(); ++i)
+    result->SetComponentName(static_cast<vtkIdType>(i), array.component_names[i].c_str());
+  return result;
+}
+
+/// VTK's attribute for the role, −1: none.
+int attribute_of(DataArray::Role role)
+{
+  switch (role)
+  {
+    case DataArray::Role::scalars:
+      return vtkDataSetAttributes::SCALARS;
+    case DataArray::Role::vectors:
+      return vtkDataSetAttributes::VECTORS;
+    case DataArray::Role::normals:
+      return vtkDataSetAttributes::NORMALS;
+    case DataArray::Role::texture_coordinates:
+      return vtkDataSetAttributes::TCOORDS;
+    case DataArray::Role::tensors:
+      return vtkDataSetAttributes::TENSORS;
+    case DataArray::Role::global_ids:
+      return vtkDataSetAttributes::GLOBALIDS;
+    case DataArray::Role::pedigree_ids:
+      return vtkDataSetAttributes::PEDIGREEIDS;
+    case DataArray::Role::edge_flags:
+      return vtkDataSetAttributes::EDGEFLAG;
+    default:
+      return -1;
+  }
+}
+
+/// Whether VTK takes it without a complaint.
+bool fits(const DataArray& array, int attribute)
+{
+  if (std::holds_alternative<std::vector<std::string>>(array.values))
+    return attribute == vtkDataSetAttributes::PEDIGREEIDS;
+  const int n = array.components;
+  switch (attribute)
+  {
+    case vtkDataSetAttributes::VECTORS:
+    case vtkDataSetAttributes::NORMALS:
+      return n == 3;
+    case vtkDataSetAttributes::TCOORDS:
+      return n <= 3;
+    case vtkDataSetAttributes::TENSORS:
+      return n == 6 || n == 9;
+    case vtkDataSetAttributes::GLOBALIDS:
+      return n == 1 && array.ids;
+    case vtkDataSetAttributes::PEDIGREEIDS:
+    case vtkDataSetAttributes::EDGEFLAG:
+      return n == 1;
+    default:
+      return true;
+  }
+}
+
+void add_arrays(const std::vector<DataArray>& arrays, vtkDataSetAttributes* to)
+{
+  for (const DataArray& array : arrays)
+  {
+    const int index = to->AddArray(to_vtk(array));
+    const int attribute = attribute_of(array.role);
+    if (attribute >= 0 && fits(array, attribute) && !to->GetAbstractAttribute(attribute))
+      to->SetActiveAttribute(index, attribute);
+  }
+}
+
+vtkSmartPointer<vtkPoints> points_of(const SurfaceFile& file)
+{
+  auto points = to_vtk_points(file.points);
+  if (file.single_precision)
+  {
+    auto single = vtkSmartPointer<vtkPoints>::New();
+    single->SetDataTypeToFloat();
+    single->DeepCopy(points);
+    return single;
+  }
+  return points;
+}
+
+/// Of a ghost array, whatever its type; 0 where there is none.
+bool is_marked(vtkDataArray* ghosts, vtkIdType i, int mask)
+{
+  if (!ghosts || i >= ghosts->GetNumberOfTuples())
+    return false;
+  const double value = ghosts->GetComponent(i, 0);
+  return value > 0 && value < 256 && (static_cast<int>(value) & mask) != 0;
+}
+
+}
+
+vtkSmartPointer<vtkPolyData> triangulated(vtkPolyData* surface, const std::string& name)
+{
+  return as_triangles(surface, name);
+}
+
+vtkSmartPointer<vtkPolyData> triangulated(vtkDataObject* surface, const std::string& name)
+{
+  if (auto* polydata = vtkPolyData::SafeDownCast(surface))
+    return as_triangles(polydata, name);
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(surface))
+    return as_triangles(grid, name);
+  throw InputError(name + ": holds no surface; a mesh of triangles is needed");
+}
+
+vtkSmartPointer<vtkPolyData> triangulated(const SurfaceFile& file, const std::string& name)
+{
+  check_points(file.points, name);
+  check_corners(file.polygons, file.points.rows(), name);
+  vtkNew<vtkPointData> point_data;
+  vtkNew<vtkCellData> cell_data;
+  vtkNew<vtkFieldData> field_data;
+  add_arrays(file.point_data, point_data);
+  add_arrays(file.cell_data, cell_data);
+  for (const DataArray& array : file.field_data)
+    field_data->AddArray(to_vtk(array));
+  return with_triangles(points_of(file), point_data, cell_data, field_data,
+    triangulate(file.points, file.polygons, name));
+}
+
+vtkSmartPointer<vtkPolyData> without_ghosts(vtkPolyData* triangles)
+{
+  const char* ghosts = vtkDataSetAttributes::GhostArrayName();
+  vtkDataArray* points = triangles->GetPointData()->GetArray(ghosts);
+  vtkDataArray* cells = triangles->GetCellData()->GetArray(ghosts);
+  if (!points && !cells)
+    return triangles;
+  const TriangleMesh mesh = to_mesh(triangles);
+  std::vector<std::array<int, 3>> kept;
+  Triangulation left;
+  for (int t = 0; t < mesh.triangles.rows(); ++t)
+  {
+    const auto row = mesh.triangles.row(t);
+    const bool is_ghost =
+      is_marked(cells, t, vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL) ||
+      std::any_of(row.begin(), row.end(),
+        [&](int i) { return is_marked(points, i, vtkDataSetAttributes::HIDDENPOINT); });
+    if (is_ghost)
+      continue;
+    kept.push_back({ row[0], row[1], row[2] });
+    left.cell.push_back(t);
+  }
+  left.triangles = Eigen::Map<const Triangles>(
+    kept.empty() ? nullptr : kept[0].data(), static_cast<Eigen::Index>(kept.size()), 3);
+  return with_triangles(triangles->GetPoints(), triangles->GetPointData(), triangles->GetCellData(),
+    triangles->GetFieldData(), left);
+}
+
+}
