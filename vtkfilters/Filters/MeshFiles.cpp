@@ -2,6 +2,7 @@
 
 #include "MeshConversion.h"
 #include "VtkMessages.h"
+#include "XmlSurfaceFile.h"
 
 #include "solver/Errors.h"
 #include "solver/files/FileBytes.h"
@@ -18,9 +19,7 @@
 #include "vtkPolyDataWriter.h"
 #include "vtkSTLWriter.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
-#include "vtkXMLUnstructuredGridReader.h"
 #include "vtkXMLUnstructuredGridWriter.h"
 
 #include <fmt/format.h>
@@ -51,30 +50,6 @@ std::string ending(const path& file)
   throw InputError(fmt::format("{}: {}", file.string(), what));
 }
 
-/// Runs a VTK reader; whatever it complains about makes the file unusable.
-template<class Reader>
-Surface read_with(Reader* reader, const path& file)
-{
-  const VtkMessages messages;
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  auto* data = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
-  if (messages.any_error() || reader->GetErrorCode() != 0 || !data)
-  {
-    unreadable(file,
-      fmt::format("is not a complete {} file{}{}; write it again or use another format",
-        ending(file), messages.any_error() ? ": " : "", messages.first_error()));
-  }
-  return triangulated(static_cast<vtkDataObject*>(data), file.string());
-}
-
-template<class Reader>
-Surface read_by(const path& file)
-{
-  vtkNew<Reader> reader;
-  return read_with(reader.Get(), file);
-}
-
 using Read = SurfaceFile (*)(std::string_view, const std::string&);
 
 /// By a reader of bytes.
@@ -82,6 +57,11 @@ template<Read read>
 Surface read_by(const path& file)
 {
   return triangulated(read(read_file(file), file.string()), file.string());
+}
+
+Surface read_xml(const path& file)
+{
+  return triangulated(read_xml_surface(file), file.string());
 }
 
 template<class Writer>
@@ -181,6 +161,11 @@ void write_ply(vtkPolyData* surface, const path& file)
     surface, file, 12 * surface->GetNumberOfPoints() + 13 * surface->GetNumberOfPolys());
 }
 
+void pieces_only(vtkPolyData*, const path& file)
+{
+  unreadable(file, "lists pieces and can only be read; meshes are written as one, .vtu or .vtp");
+}
+
 struct Format
 {
   std::function<Surface(const path&)> read;
@@ -191,10 +176,12 @@ const std::map<std::string, Format>& formats()
 {
   static const std::map<std::string, Format> known{
     { ".vtu",
-      { read_by<vtkXMLUnstructuredGridReader>,
+      { read_xml,
         [](vtkPolyData* surface, const path& file)
         { write_xml<vtkXMLUnstructuredGridWriter>(to_unstructured_grid(surface), file); } } },
-    { ".vtp", { read_by<vtkXMLPolyDataReader>, write_xml<vtkXMLPolyDataWriter> } },
+    { ".vtp", { read_xml, write_xml<vtkXMLPolyDataWriter> } },
+    { ".pvtu", { read_xml, pieces_only } },
+    { ".pvtp", { read_xml, pieces_only } },
     { ".vtk", { read_by<read_legacy_vtk>, write_legacy } },
     { ".stl", { read_by<read_stl>, write_stl } },
     { ".ply", { read_by<read_ply>, write_ply } },

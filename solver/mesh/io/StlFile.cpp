@@ -2,12 +2,13 @@
 
 #include "solver/Errors.h"
 #include "solver/mesh/io/ByteReader.h"
+#include "solver/mesh/io/PointNumbers.h"
 #include "solver/mesh/io/TextScanner.h"
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cctype>
-#include <unordered_map>
 
 namespace vesicle
 {
@@ -16,46 +17,6 @@ namespace
 
 constexpr std::size_t header_bytes = 84;
 constexpr std::size_t facet_bytes = 50;
-
-/// Makes points of corners: those of the same coordinates are one.
-class PointNumbers
-{
-public:
-  std::int64_t number(const std::array<double, 3>& corner)
-  {
-    std::array<std::uint64_t, 3> bits;
-    for (int k = 0; k < 3; ++k)
-      bits[k] = std::bit_cast<std::uint64_t>(corner[k] + 0.); // −0 becomes +0
-    const auto [found, is_new] = numbers_.try_emplace(bits, numbers_.size());
-    if (is_new)
-      coordinates_.insert(coordinates_.end(), corner.begin(), corner.end());
-    return found->second;
-  }
-  Points points() const
-  {
-    return Eigen::Map<const Points>(
-      coordinates_.data(), static_cast<Eigen::Index>(coordinates_.size() / 3), 3);
-  }
-
-private:
-  using Bits = std::array<std::uint64_t, 3>; ///< under which NaN, too, equals itself
-  struct Hash
-  {
-    std::size_t operator()(const Bits& bits) const
-    {
-      std::uint64_t hash = 0;
-      for (const std::uint64_t x : bits)
-      {
-        hash = (hash ^ x) * 0x9E3779B97F4A7C15ULL;
-        hash ^= hash >> 32;
-      }
-      return hash;
-    }
-  };
-
-  std::unordered_map<Bits, std::int64_t, Hash> numbers_;
-  std::vector<double> coordinates_;
-};
 
 std::uint32_t announced_facets(std::string_view bytes, const std::string& name)
 {
@@ -80,7 +41,7 @@ SurfaceFile read_binary(std::string_view bytes, const std::string& name)
       std::array<double, 3> corner;
       for (double& x : corner)
         x = reader.read<float>("a coordinate");
-      file.polygons.corners.push_back(numbers.number(corner));
+      file.polygons.corners.push_back(numbers.number(corner).first);
     }
     file.polygons.close(i);
     reader.take(2, "the attribute");
@@ -147,7 +108,7 @@ private:
       std::array<double, 3> corner;
       for (double& x : corner)
         x = scanner_.number<double>("a coordinate");
-      file_.polygons.corners.push_back(numbers_.number(corner));
+      file_.polygons.corners.push_back(numbers_.number(corner).first);
     }
     file_.polygons.close(file_.polygons.size());
     expect("endloop");
