@@ -14,6 +14,7 @@
 #include "solver/files/FileBytes.h"
 #include "solver/scene/SceneFile.h"
 #include "solver/simulation/Trajectory.h"
+#include "vtkfilters/Filters/MeshConversion.h"
 #include "vtkfilters/Filters/VtkMessages.h"
 
 #include "vtkPolyData.h"
@@ -41,13 +42,21 @@ int Run::carry_out()
     require_leave_to_write();
     lock_.emplace(folder_.lock());
   }
-  if (!existing || !options_.resume || !go_on())
+  try
   {
-    start_anew();
+    if (!existing || !options_.resume || !go_on())
+    {
+      start_anew();
+    }
+    while (!stepper_->GetFinished() && !interrupted() && !is_failed())
+    {
+      advance();
+    }
   }
-  while (!stepper_->GetFinished() && !interrupted() && !is_failed())
+  catch (const NumericalError& error)
   {
-    advance();
+    message_ = error.what();
+    return_to_last_good_state();
   }
   finish();
   return interrupted() ? exit_code::interrupted : exit_code::done;
@@ -70,6 +79,13 @@ void Run::start_anew()
 {
   update_to(0);
   require_movie_color();
+  take_folder();
+  record();
+  append_frame();
+}
+
+void Run::take_folder()
+{
   make_folder(folder_.folder());
   if (!lock_)
   {
@@ -87,8 +103,32 @@ void Run::start_anew()
   {
     progress_->say(stepper_->GetSimulation()->notes());
   }
-  record();
-  append_frame();
+}
+
+/// Where no state could be reached the start shape is left, to be looked at.
+void Run::return_to_last_good_state()
+{
+  rows_ = checkpoint_ ? checkpoint_->rows() : 0;
+  if (!stepper_->GetSimulation() || (rows_ > 0 && !table_))
+  {
+    throw NumericalError(rows_ > 0 ? failure_and_what_is_left() : message_); // nothing was begun
+  }
+  if (rows_ > 0)
+  {
+    failure_ = nullptr;
+    stepper_->SetAbortExecute(0);
+    stepper_->SetState(checkpoint_->state());
+    update_to(checkpoint_->state().time);
+    append_last_frame();
+    return;
+  }
+  if (!table_)
+  {
+    take_folder();
+  }
+  const auto shape = to_polydata(stepper_->GetSimulation()->start_mesh());
+  doing(
+    "writing the start shape to " + series_.pvd_file().string(), [&] { series_.append(shape, 0); });
 }
 
 /// False where the run has no state yet. Nothing is touched before everything is known to fit.
@@ -139,9 +179,15 @@ void Run::advance()
 {
   update_to(
     stepper_->GetSimulation()->schedule().next(*stepper_->GetState()).value_or(VTK_DOUBLE_MAX));
-  if (series_.frames().back().time != stepper_->GetStateTime())
+  append_last_frame();
+}
+
+/// After Ctrl-C or a failure too: the last state is always there.
+void Run::append_last_frame()
+{
+  if (series_.frames().empty() || series_.frames().back().time != stepper_->GetStateTime())
   {
-    append_frame(); // after Ctrl-C or a failure too: the last state is always there
+    append_frame();
   }
 }
 
@@ -160,9 +206,10 @@ void Run::update_to(double time)
     case vtkVesicleStepper::IoFailure:
       throw IoError(stepper_->GetErrorMessage());
     case vtkVesicleStepper::NumericalFailure:
+      message_ = stepper_->GetErrorMessage();
       if (!stepper_->GetState())
       {
-        throw NumericalError(stepper_->GetErrorMessage()); // there is no good state to save
+        throw NumericalError(fmt::format("t = 0: the start can't be solved: {}", message_));
       }
   }
 }
@@ -187,8 +234,15 @@ void Run::on_step()
 void Run::record()
 {
   const Row row = stepper_->GetDiagnostics().values();
-  doing("writing " + folder_.checkpoint().string(),
-    [&] { checkpoint_->append(*stepper_->GetState(), row); });
+  try
+  {
+    doing("writing " + folder_.checkpoint().string(),
+      [&] { checkpoint_->append(*stepper_->GetState(), row); });
+  }
+  catch (const NumericalError& error) // not to be saved as a good state
+  {
+    throw NumericalError(fmt::format("t = {:.6g}: {}", stepper_->GetStateTime(), error.what()));
+  }
   doing("writing " + folder_.table().string(), [&] { table_->append(row); });
 }
 
@@ -199,12 +253,7 @@ void Run::append_frame()
     [&] { series_.append(stepper_->GetOutput(), stepper_->GetStateTime()); });
 }
 
-bool Run::is_failed()
-{
-  return stepper_->GetErrorCategory() == vtkVesicleStepper::NumericalFailure;
-}
-
-std::string Run::outcome()
+std::string Run::outcome() const
 {
   if (is_failed())
   {
@@ -245,18 +294,31 @@ void Run::summarize()
 {
   summary_.scene = scene_;
   summary_.outcome = outcome();
-  summary_.message = is_failed() ? stepper_->GetErrorMessage() : "";
-  summary_.last = stepper_->GetDiagnostics();
+  summary_.message = message_;
+  if (rows_ > 0)
+  {
+    summary_.last = stepper_->GetDiagnostics();
+    summary_.steps = stepper_->GetState()->step - first_step_;
+  }
   summary_.frames = series_.frames().size();
   summary_.triangles = static_cast<int>(stepper_->GetSimulation()->triangles().rows());
-  summary_.steps = stepper_->GetState()->step - first_step_;
   summary_.resumed = resumed_;
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - began_;
   summary_.wall_seconds = wall.count();
   write_summary();
   progress_->say(fmt::format("{} at t = {:.6g} after {} steps in {}: {} frames in {}",
-    summary_.outcome, stepper_->GetStateTime(), summary_.steps, duration_text(wall.count()),
+    summary_.outcome, series_.frames().back().time, summary_.steps, duration_text(wall.count()),
     summary_.frames, folder_.folder().string()));
+}
+
+std::string Run::failure_and_what_is_left() const
+{
+  const std::string cause = message_ + (message_.ends_with('.') ? "" : ".");
+  return rows_ > 0
+    ? fmt::format("{} The last good state is saved in {}; it is the last frame of {}", cause,
+        folder_.checkpoint().string(), series_.pvd_file().string())
+    : fmt::format(
+        "{} No state was reached; the start shape is in {}", cause, series_.pvd_file().string());
 }
 
 void Run::write_plots(const RunTable& table, Attempts& attempts)
@@ -314,13 +376,13 @@ void Run::draw(const RunTable& table)
 void Run::finish()
 {
   const RunTable table = run_table(checkpoint_->series());
+  rows_ = checkpoint_->rows();
   checkpoint_->close();
   table_->close();
   summarize();
   if (is_failed())
   {
-    throw NumericalError(fmt::format(
-      "{} The last good state is saved in {}", summary_.message, folder_.checkpoint().string()));
+    throw NumericalError(failure_and_what_is_left());
   }
   if (summary_.outcome == "interrupted")
   {

@@ -41,29 +41,33 @@ class Run
 public:
   Run(Scene scene, const std::filesystem::path& folder, const RunOptions& options);
 
-  /// Returns the exit code. Throws InputError and IoError; of a NumericalError everything is saved
-  /// before it is passed on.
+  /// Returns the exit code. Throws InputError and IoError; a NumericalError once all that is good is
+  /// saved, and says where.
   int carry_out();
 
 private:
   void require_leave_to_write() const;
   void start_anew();
+  void take_folder();
   bool go_on();
   void advance();
+  void return_to_last_good_state();
   void finish();
 
   void update_to(double time);
   void on_step();
   void record();
   void append_frame();
+  void append_last_frame();
   void require_movie_color();
   void summarize();
   void write_summary();
   void draw(const RunTable& table);
   void write_plots(const RunTable& table, Attempts& attempts);
   void make_movie(const RunTable& table, Attempts& attempts);
-  bool is_failed();
-  std::string outcome();
+  bool is_failed() const { return !message_.empty(); }
+  std::string outcome() const;
+  std::string failure_and_what_is_left() const;
   RunFile create_checkpoint() const;
 
   Scene scene_;
@@ -77,6 +81,8 @@ private:
   std::optional<CsvFile> table_;
   std::optional<Progress> progress_;
   std::exception_ptr failure_; ///< of an observer: it must not pass through VTK
+  std::string message_;        ///< why the run failed
+  std::size_t rows_ = 0;       ///< of the checkpoint once it is closed; 0: no good state
   std::int64_t first_step_ = 0;
   bool resumed_ = false;
   RunSummary summary_;

@@ -65,14 +65,17 @@ void write_summary(const RunSummary& s, const std::filesystem::path& file)
   {
     summary["message"] = s.message;
   }
-  summary["steps"] = static_cast<std::int64_t>(s.last.step);
-  summary["time"] = s.last.time;
+  summary["steps"] = s.last ? static_cast<std::int64_t>(s.last->step) : 0;
+  summary["time"] = s.last ? s.last->time : 0;
   summary["frames"] = s.frames;
   summary["triangles"] = s.triangles;
-  summary["drifts"] = { { "area", s.last.area_drift }, { "volume", s.last.volume_drift } };
-  summary["corrections"] = { { "area", s.last.area_correction },
-    { "volume", s.last.volume_correction } };
-  summary["final"] = observables(s.last);
+  if (s.last)
+  {
+    summary["drifts"] = { { "area", s.last->area_drift }, { "volume", s.last->volume_drift } };
+    summary["corrections"] = { { "area", s.last->area_correction },
+      { "volume", s.last->volume_correction } };
+    summary["final"] = observables(*s.last);
+  }
   summary["timings"] = timings(s);
   if (!s.movie_note.empty())
   {

@@ -5,6 +5,7 @@
 #include "solver/scene/Scene.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace vesicle
@@ -13,9 +14,9 @@ namespace vesicle
 struct RunSummary
 {
   Scene scene;
-  std::string outcome; ///< finished, steady, interrupted or failed
-  std::string message; ///< why it failed
-  Diagnostics last;    ///< of the last state
+  std::string outcome;             ///< finished, steady, interrupted or failed
+  std::string message;             ///< why it failed
+  std::optional<Diagnostics> last; ///< of the last state; none was reached where empty
   std::size_t frames = 0;
   int triangles = 0;
   double wall_seconds = 0; ///< of this sitting

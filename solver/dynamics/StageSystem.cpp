@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include <cmath>
+
 namespace vesicle
 {
 
@@ -112,7 +114,10 @@ StageSolution StageSystem::solve(
     gmres([&](const Eigen::VectorXd& y) -> Eigen::VectorXd { return apply(y).cwiseProduct(scale); },
       [&](const Eigen::VectorXd& r) { return preconditioner.solve(r.cwiseQuotient(scale)); },
       right_side().cwiseProduct(scale), tolerance, max_iterations);
-  if (!linear.solution.allFinite() || !(linear.residual <= tolerance))
+  if (!linear.solution.allFinite() || !std::isfinite(linear.residual))
+    throw NumericalError(
+      fmt::format("the linear system of {} unknowns has no finite solution", unknowns()));
+  if (linear.residual > tolerance)
     throw NumericalError(fmt::format(
       "the linear solve of {} unknowns did not converge: residual {:.1e} after {} iterations",
       unknowns(), linear.residual, linear.iterations));

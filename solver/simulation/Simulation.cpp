@@ -75,6 +75,11 @@ const Scales& Simulation::scales() const
   return impl_->scales;
 }
 
+const TriangleMesh& Simulation::start_mesh() const
+{
+  return impl_->start_mesh;
+}
+
 const Triangles& Simulation::triangles() const
 {
   return impl_->start_mesh.triangles;

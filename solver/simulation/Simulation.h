@@ -25,6 +25,8 @@ public:
 
   const Scene& scene() const;
   const Scales& scales() const;
+  /// In the scene's units.
+  const TriangleMesh& start_mesh() const;
   const Triangles& triangles() const;
   /// What was changed in the start mesh and what is to be said of it, for the user; empty if
   /// nothing.

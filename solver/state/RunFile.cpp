@@ -21,6 +21,8 @@ namespace
 
 using hdf5::QuietErrors;
 
+constexpr const char* remedy =
+  "Check the units of the scene, or try a milder flow, load or deflation.";
 constexpr std::size_t first_capacity = 256; // rows
 
 /// Runs `work` with the file's name before the message of what fails, unless it is there already.
@@ -76,8 +78,7 @@ void check_state(const State& state)
     {
       if (!all_finite(field))
       {
-        throw NumericalError(
-          "the state's " + name + " isn't finite: it can't be saved as a state to go on from");
+        throw NumericalError(fmt::format("{} isn't finite. {}", name, remedy));
       }
     });
 }
@@ -94,7 +95,8 @@ std::vector<double> checked_row(
   {
     if (row[i] && (!std::isfinite(*row[i]) || *row[i] == missing_value))
     {
-      throw NumericalError(fmt::format("{} = {} can't be saved: not finite", columns[i], *row[i]));
+      throw NumericalError(
+        fmt::format("{} = {}, beyond what can be computed with. {}", columns[i], *row[i], remedy));
     }
     values.push_back(row[i].value_or(missing_value));
   }

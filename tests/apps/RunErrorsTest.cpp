@@ -138,6 +138,34 @@ TEST_F(RunErrors, FailedRunKeepsItsLastGoodState)
   EXPECT_GE(read_series(folder / "pear/pear.pvd").size(), 1u);
   EXPECT_NE(bytes_of(folder / "pear/summary.json").find("\"failed\""), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(folder / "pear/pear.h5"));
+  expect_mentions(outcome, "last frame of pear/pear.pvd");
+}
+
+TEST_F(RunErrors, WithoutAGoodStateTheStartShapeIsLeftToLookAt)
+{
+  // A start that can't be solved, and one that can't be told in numbers.
+  for (const char* rigidity : { "1e-300", "1e300" })
+  {
+    const std::string setting = std::string("membrane.bending_rigidity=") + rigidity;
+    for (const char* way : { "--overwrite", "--resume" })
+    {
+      const auto outcome = run({ "--set", setting, way });
+      EXPECT_EQ(outcome.code, 3) << outcome.errors;
+      expect_mentions(outcome, "t = 0: ");
+      expect_mentions(outcome, "the start shape is in pear/pear.pvd");
+      const auto frames = read_series(folder / "pear/pear.pvd");
+      ASSERT_EQ(frames.size(), 1u);
+      EXPECT_EQ(read_mesh(frames[0].file)->GetNumberOfPolys(), 80);
+      const auto summary = bytes_of(folder / "pear/summary.json");
+      EXPECT_NE(summary.find("\"failed\""), std::string::npos);
+      EXPECT_EQ(summary.find("nan"), std::string::npos);
+    }
+    // There is nothing to go on from: it begins at the beginning.
+    const auto again =
+      run({ "--resume", "--set", "accuracy.preset=fast", "--set", "time.end=0.1" });
+    EXPECT_EQ(again.code, 0) << again.errors;
+    EXPECT_EQ(read_series(folder / "pear/pear.pvd").size(), 2u);
+  }
 }
 
 // A picture that can't be written is told, and loses none of the others.

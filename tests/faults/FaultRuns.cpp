@@ -79,7 +79,8 @@ Files files_in(const path& folder)
   std::error_code none;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder, none))
   {
-    if (entry.is_regular_file())
+    // What is left of a lock locks nothing.
+    if (entry.is_regular_file() && entry.path().filename() != "vesicle.lock")
     {
       const auto name = std::filesystem::relative(entry.path(), folder).string();
       const auto bytes = bytes_of(entry.path());

@@ -21,7 +21,7 @@ struct Fault
 /// All kinds that a call is tried with.
 const std::vector<Fault>& kinds_of_faults();
 
-/// The files of a folder by their names in it. Of summary.json without the times.
+/// The files of a folder by their names in it, but for a lock's; of summary.json without the times.
 using Files = std::map<std::string, std::string>;
 Files files_in(const std::filesystem::path& folder);
 /// The names of files that one has and the other hasn't, or not with these bytes.

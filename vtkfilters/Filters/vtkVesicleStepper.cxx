@@ -134,6 +134,7 @@ struct vtkVesicleStepper::Internals
   void StartAnew(vtkPolyData* start, int cache_size)
   {
     this->Path.reset();
+    this->Sim.reset();
     std::string notes;
     vesicle::TriangleMesh mesh = this->StartMesh(start, notes);
     this->Sim = std::make_unique<Simulation>(this->CurrentScene, std::move(mesh), notes);
@@ -282,7 +283,7 @@ void vtkVesicleStepper::SetState(const State& state)
 
 Simulation* vtkVesicleStepper::GetSimulation()
 {
-  return this->Internal->Path ? this->Internal->Sim.get() : nullptr;
+  return this->Internal->Sim.get();
 }
 
 const State* vtkVesicleStepper::GetState() const

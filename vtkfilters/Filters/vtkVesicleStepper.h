@@ -175,6 +175,7 @@ public:
   void SetState(const vesicle::State& state);
 
   /// The simulation and its last accepted state, for observers; nullptr before the first update.
+  /// Where the start can't be solved there is a simulation, with its start mesh, and no state.
   vesicle::Simulation* GetSimulation();
   const vesicle::State* GetState() const;
   /// Of the last accepted state; there must be one.
