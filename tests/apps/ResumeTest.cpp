@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdlib>
+#include <fstream>
 #include <optional>
 #include <regex>
 
@@ -186,6 +188,58 @@ TEST_F(Resume, WithoutARunItStarts)
   const auto outcome = vesicle_command(folder.path(),
     { "run", "pear.toml", "--no-movie", "--no-plots", "--resume", "--set", "time.end=0.1" });
   EXPECT_EQ(outcome.code, 0) << outcome.errors;
+}
+
+/// False also of one that has ended and that nobody has asked for its exit code.
+bool is_alive(const std::string& process)
+{
+  std::ifstream status("/proc/" + process + "/stat");
+  std::string number, name, state;
+  return status >> number >> name >> state && state != "Z" && state != "X";
+}
+
+TEST_F(Resume, FfmpegEndsWithAKilledRunAndTheFilmIsMadeThen)
+{
+  std::filesystem::create_directory(folder / "bin");
+  const auto ffmpeg = folder / "bin/ffmpeg", process = folder / "process";
+  std::ofstream(ffmpeg) << "#!/bin/sh\nfor film; do :; done\necho half > \"$film\"\n"
+                        << "echo $$ > " << process.string() << ".part\nmv " << process.string()
+                        << ".part " << process.string() << "\nexec sleep 100\n";
+  std::filesystem::permissions(ffmpeg, std::filesystem::perms::owner_all);
+  const std::vector<std::string> words{ "run", "pear.toml", "--no-plots", "--set",
+    "accuracy.preset=fast", "--set", "time.end=0.1" };
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", ((folder / "bin").string() + ":" + path).c_str(), 1);
+  {
+    Command run(VESICLE_COMMAND, folder.path(), words);
+    while (run.running() && !std::filesystem::exists(process))
+    {
+      usleep(1000);
+    }
+    run.signal(SIGKILL);
+    run.wait();
+  }
+  setenv("PATH", path.c_str(), 1);
+  if (!std::filesystem::exists(process))
+  {
+    GTEST_SKIP() << "nothing can draw here";
+  }
+  std::string number;
+  std::ifstream(process) >> number;
+  for (int i = 0; i < 5000 && is_alive(number); ++i)
+  {
+    usleep(1000);
+  }
+  EXPECT_FALSE(is_alive(number));
+  EXPECT_TRUE(std::filesystem::exists(folder / "pear/pear.part.mp4"));
+
+  auto again = words;
+  again.push_back("--resume");
+  const auto outcome = vesicle_command(folder.path(), again);
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_FALSE(std::filesystem::exists(folder / "pear/pear.part.mp4"));
+  const bool told = bytes_of(folder / "pear/summary.json").find("no film") != std::string::npos;
+  EXPECT_NE(std::filesystem::exists(folder / "pear/pear.mp4"), told);
 }
 
 TEST_F(Resume, ARunningRunIsLeftAlone)

@@ -10,8 +10,11 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
+
+#include <unistd.h>
 
 namespace vesicle::test
 {
@@ -165,6 +168,30 @@ TEST_F(RunErrors, WithoutAGoodStateTheStartShapeIsLeftToLookAt)
       run({ "--resume", "--set", "accuracy.preset=fast", "--set", "time.end=0.1" });
     EXPECT_EQ(again.code, 0) << again.errors;
     EXPECT_EQ(read_series(folder / "pear/pear.pvd").size(), 2u);
+  }
+}
+
+TEST_F(RunErrors, AFolderThatGoesWhileARunIsUnderWayIsAnError)
+{
+  for (const char* way : { "moved", "removed" })
+  {
+    Command run(VESICLE_COMMAND, folder.path(),
+      { "run", "pear.toml", "-o", "gone", "--no-movie", "--no-plots", "--set", "time.end=5.0" });
+    while (run.running() && !std::filesystem::exists(folder / "gone/frames/pear_000001.h5"))
+    {
+      usleep(1000);
+    }
+    run.signal(SIGSTOP);
+    std::filesystem::rename(folder / "gone", folder / "moved");
+    if (std::string(way) == "removed")
+    {
+      std::filesystem::remove_all(folder / "moved");
+    }
+    run.signal(SIGCONT);
+    EXPECT_EQ(run.wait(), 4) << way;
+    EXPECT_NE(bytes_of(folder / "stderr.txt").find("gone/"), std::string::npos) << way;
+    EXPECT_FALSE(std::filesystem::exists(folder / "gone")) << way;
+    std::filesystem::remove_all(folder / "moved");
   }
 }
 

@@ -1,5 +1,6 @@
-// Every call by which a run changes its folder fails in turn, in every way.
+// Every call by which a run changes its folder fails in turn, in every way; and damaged run files.
 
+#include "tests/faults/DamagedRuns.h"
 #include "tests/faults/FaultRuns.h"
 
 #include <gtest/gtest.h>
@@ -11,9 +12,9 @@ namespace vesicle::test
 namespace
 {
 
-void expect_nothing_lost_at_any_call(FaultRuns& runs)
+void expect_nothing_lost_from(std::int64_t first, FaultRuns& runs)
 {
-  for (std::int64_t call = 1; call <= runs.calls(); ++call)
+  for (std::int64_t call = first; call <= runs.calls(); ++call)
   {
     for (Fault fault : kinds_of_faults())
     {
@@ -29,13 +30,20 @@ void expect_nothing_lost_at_any_call(FaultRuns& runs)
 TEST(FaultsLong, OfAnyCallLoseNothing)
 {
   FaultRuns runs({ "--no-movie", "--no-plots" });
-  expect_nothing_lost_at_any_call(runs);
+  expect_nothing_lost_from(1, runs);
 }
 
 TEST(FaultsLong, OfAnyCallLoseNeitherPicturesNorFilm)
 {
-  FaultRuns runs({});
-  expect_nothing_lost_at_any_call(runs);
+  const std::int64_t without = FaultRuns({ "--no-movie", "--no-plots" }).calls();
+  constexpr std::int64_t last_calls = 5; // those after the pictures are made, and some
+  FaultRuns runs({ "--no-plots" });
+  expect_nothing_lost_from(without - last_calls, runs);
+}
+
+TEST(FaultsLong, AnyDamageToTheRunFileIsNoticed)
+{
+  expect_damage_to_be_noticed(600);
 }
 
 }

@@ -1,5 +1,6 @@
 // A sample of what FaultsLongTest.cpp tries.
 
+#include "tests/faults/DamagedRuns.h"
 #include "tests/faults/FaultRuns.h"
 
 #include <gtest/gtest.h>
@@ -22,6 +23,11 @@ TEST(Faults, OfASampleOfCallsLoseNothing)
     runs.expect_nothing_lost(fault);
   }
   std::cout << text_of(runs.tally()) << '\n';
+}
+
+TEST(Faults, ASampleOfDamagesToTheRunFileIsNoticed)
+{
+  expect_damage_to_be_noticed(20);
 }
 
 }

@@ -109,8 +109,11 @@ void SeriesWriter::list(double time, FrameLayout layout)
 
 void SeriesWriter::append(vtkPolyData* surface, double time)
 {
-  make_folder(folder_ / "frames");
   const std::size_t index = frames_.size();
+  if (index == 0) // later on it is an error if the folder is gone
+  {
+    make_folder(folder_ / "frames");
+  }
   const auto timed = with_time(surface, time);
   write_mesh(timed, folder_ / frame_name(index, ".vtu"));
   const Frame frame = to_frame(timed, time);
