@@ -1,11 +1,14 @@
 #include "solver/simulation/Simulation.h"
 
+#include "solver/Errors.h"
 #include "solver/dynamics/Evolution.h"
 #include "solver/dynamics/StateReport.h"
 #include "solver/mesh/MeshInspection.h"
 #include "solver/simulation/StartMesh.h"
 #include "solver/simulation/SystemOfScene.h"
 #include "solver/mesh/Preparation.h"
+
+#include <fmt/format.h>
 
 namespace vesicle
 {
@@ -103,6 +106,26 @@ State Simulation::instant()
 State Simulation::start()
 {
   return impl_->evolution.start(impl_->start_points());
+}
+
+void Simulation::require_own(const State& state) const
+{
+  const Eigen::Index vertices = impl_->start_mesh.points.rows();
+  const auto fits = [&](const auto& field, bool may_be_empty)
+  { return field.rows() == vertices || (may_be_empty && field.rows() == 0); };
+  bool own = state.vesicles.size() == 1 && state.preconditioner.points.size() == 1 &&
+    fits(state.preconditioner.points.front(), true);
+  for (const VesicleState& v : state.vesicles)
+  {
+    own = own && fits(v.points, false) && fits(v.velocity, false) && fits(v.node_velocity, false) &&
+      fits(v.tension, true) && fits(v.stiff_force, true);
+  }
+  if (!own)
+  {
+    throw InputError(fmt::format("{}: has {} vertices: it is not the mesh of the state to go on "
+                                 "from; bring the old mesh back or start anew",
+      start_name(scene()), vertices));
+  }
 }
 
 State Simulation::step(const State& state)

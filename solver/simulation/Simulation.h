@@ -39,6 +39,8 @@ public:
   State start();
   /// The same with nothing of a time step in it: the bending force is that of the shape.
   State instant();
+  /// Throws InputError unless the state is one of this mesh (a file's may have changed since).
+  void require_own(const State& state) const;
   /// One accepted step. Throws NumericalError if there is none; `state` is then still valid.
   State step(const State& state);
   /// True at the scene's end time, or when the shape is steady (end = "steady").

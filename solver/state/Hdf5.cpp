@@ -41,6 +41,15 @@ std::string trimmed(const char* bytes, std::size_t length)
   return { bytes, std::find(bytes, bytes + length, '\0') };
 }
 
+/// What is read has room for one value.
+void require_single(hid_t space, const std::string& name)
+{
+  if (H5Sget_simple_extent_npoints(space) != 1)
+  {
+    throw IoError(name + " is not a single value");
+  }
+}
+
 /// A row of numbers, each with its name.
 Handle record_type(const std::vector<std::string>& columns, hid_t number)
 {
@@ -252,6 +261,7 @@ void write_text(hid_t parent, const std::string& name, const std::string& text)
 std::string read_text(hid_t parent, const std::string& name)
 {
   const Handle dataset = open_dataset(parent, name);
+  require_single(Handle(H5Dget_space(dataset), H5Sclose, "can't read " + name), name);
   const Handle type(H5Dget_type(dataset), H5Tclose, "can't read " + name);
   std::string text(text_length(type, name), '\0');
   check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()), "can't read " + name);
@@ -272,6 +282,7 @@ void read_attribute_of(hid_t object, const std::string& name, hid_t memory, void
 {
   const Handle attribute(
     H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose, "there is no attribute " + name);
+  require_single(Handle(H5Aget_space(attribute), H5Sclose, "can't read " + name), name);
   check(H5Aread(attribute, memory, value), "can't read the attribute " + name);
 }
 

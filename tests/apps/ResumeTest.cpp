@@ -148,6 +148,36 @@ TEST_F(Resume, AnotherSceneIsRefused)
   EXPECT_EQ(run({ "time.end=0.1", "--resume" }).code, 2);
 }
 
+TEST_F(Resume, AnotherMeshIsRefused)
+{
+  std::ofstream(folder / "mesh.toml") << "name = \"mesh\"\n[vesicle]\nfile = \"mesh.vtu\"\n"
+                                         "[membrane]\nbending_rigidity = 1.0\n"
+                                         "[time]\nend = 0.1\noutput_every = 0.1\n";
+  const auto make_mesh = [&](const char* reduced_volume, const char* triangles)
+  {
+    EXPECT_EQ(vesicle_command(folder.path(),
+                { "shape", "prolate", "--reduced-volume", reduced_volume, "--triangles", triangles,
+                  "-o", "mesh.vtu" })
+                .code,
+      0);
+  };
+  const std::vector<std::string> words{ "run", "mesh.toml", "--no-movie", "--no-plots", "--resume",
+    "--set", "accuracy.preset=fast" };
+  make_mesh("0.9", "320");
+  ASSERT_EQ(vesicle_command(folder.path(), words).code, 0);
+  const auto table = bytes_of(folder / "mesh/mesh.csv"), run = bytes_of(folder / "mesh/mesh.h5");
+  for (const auto& [reduced_volume, triangles] :
+    { std::pair("0.9", "500"), std::pair("0.9", "80"), std::pair("0.8", "320") })
+  {
+    make_mesh(reduced_volume, triangles);
+    const auto outcome = vesicle_command(folder.path(), words);
+    EXPECT_EQ(outcome.code, 2) << triangles << outcome.errors;
+    EXPECT_NE(outcome.errors.find("bring the old mesh"), std::string::npos) << outcome.errors;
+    EXPECT_EQ(bytes_of(folder / "mesh/mesh.csv"), table);
+    EXPECT_EQ(bytes_of(folder / "mesh/mesh.h5"), run);
+  }
+}
+
 TEST_F(Resume, ACheckpointOfAnotherVersionIsRefused)
 {
   const std::vector<std::string> words{ "run", "pear.toml", "--no-movie", "--set", "time.end=0.1" };

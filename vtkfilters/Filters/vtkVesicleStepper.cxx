@@ -138,6 +138,10 @@ struct vtkVesicleStepper::Internals
     std::string notes;
     vesicle::TriangleMesh mesh = this->StartMesh(start, notes);
     this->Sim = std::make_unique<Simulation>(this->CurrentScene, std::move(mesh), notes);
+    if (this->GivenState)
+    {
+      this->Sim->require_own(*this->GivenState);
+    }
     State first = this->GivenState ? *this->GivenState : this->Sim->start();
     this->Path = std::make_unique<vesicle::Trajectory>(*this->Sim, std::move(first), cache_size);
     this->DiagnosedStep = -1;
