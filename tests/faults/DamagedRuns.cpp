@@ -66,7 +66,7 @@ void expect_damage_to_be_noticed(int count)
     std::filesystem::copy(folder, copy, std::filesystem::copy_options::recursive);
     std::ofstream(copy / run_file, std::ios::binary) << damaged(bytes, number);
     const Files before = files_in(copy);
-    const auto outcome = runs.run("copy", {}, true);
+    const auto outcome = runs.run("copy", {}, { "--resume" });
     if (outcome.code == 0)
     {
       EXPECT_EQ(differences(files_in(copy), runs.undisturbed()), std::vector<std::string>{});

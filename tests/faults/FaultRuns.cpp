@@ -128,15 +128,13 @@ FaultRuns::FaultRuns(std::vector<std::string> extra) : extra_(std::move(extra))
   calls_ = last_calls_;
 }
 
-Outcome FaultRuns::run(const std::string& output, const Fault& fault, bool resume)
+Outcome FaultRuns::run(
+  const std::string& output, const Fault& fault, const std::vector<std::string>& more)
 {
   std::vector<std::string> words{ "run", "pear.toml", "-o", output, "--threads", "1", "--set",
     "accuracy.preset=fast", "--set", "time.end=0.03", "--set", "time.output_every=0.02" };
   words.insert(words.end(), extra_.begin(), extra_.end());
-  if (resume)
-  {
-    words.emplace_back("--resume");
-  }
+  words.insert(words.end(), more.begin(), more.end());
   const FaultyDisk disk(folder_ / output, folder_ / "counter", fault);
   const auto outcome = vesicle_command(folder_.path(), words);
   last_calls_ = disk.calls();
@@ -178,7 +176,7 @@ void FaultRuns::expect_nothing_lost(const Fault& fault)
     tally_.differing += !differing.empty();
     EXPECT_EQ(differing, std::vector<std::string>{}) << text;
   }
-  const auto resumed = run("faulty", {}, true);
+  const auto resumed = run("faulty", {}, { "--resume" });
   tally_.failed_resumes += resumed.code != 0;
   ASSERT_EQ(resumed.code, 0) << text << "resumed: " << resumed.errors;
   const auto differing = differences(files_in(folder), undisturbed_);

@@ -49,8 +49,9 @@ public:
   void expect_nothing_lost(const Fault& fault);
   const Tally& tally() const { return tally_; }
 
-  /// The run in DIR, on a failing disk or a sound one.
-  Outcome run(const std::string& output, const Fault& fault, bool resume = false);
+  /// The run in a folder of that name, on a failing disk or a sound one.
+  Outcome run(
+    const std::string& output, const Fault& fault, const std::vector<std::string>& more = {});
 
 private:
   std::string fault_text(const Fault& fault, const Outcome& outcome) const;

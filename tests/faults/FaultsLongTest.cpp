@@ -41,6 +41,31 @@ TEST(FaultsLong, OfAnyCallLoseNeitherPicturesNorFilm)
   expect_nothing_lost_from(without - last_calls, runs);
 }
 
+// Killed at any call, --overwrite leaves the old run or one that --resume goes on with.
+TEST(FaultsLong, WhileARunIsReplacedOneOfTheTwoIsThere)
+{
+  FaultRuns runs({ "--no-movie", "--no-plots" });
+  ASSERT_EQ(runs.run("old", {}, { "--set", "flow.rate=2.0" }).code, 0);
+  const auto old = runs.folder() / "old", replaced = runs.folder() / "replaced";
+  int kept = 0;
+  for (std::int64_t call = 1; call <= runs.calls(); ++call)
+  {
+    SCOPED_TRACE("killed at call " + std::to_string(call));
+    std::filesystem::remove_all(replaced);
+    std::filesystem::copy(old, replaced, std::filesystem::copy_options::recursive);
+    runs.run("replaced", { call, "kill", false }, { "--overwrite" });
+    const auto resumed = runs.run("replaced", {}, { "--resume" });
+    std::filesystem::remove(replaced / "pear.part.h5"); // a refusal sweeps nothing
+    const bool is_old = resumed.code == 2;
+    kept += is_old;
+    ASSERT_TRUE(is_old || resumed.code == 0) << resumed.errors;
+    EXPECT_EQ(differences(files_in(replaced), is_old ? files_in(old) : runs.undisturbed()),
+      std::vector<std::string>{});
+  }
+  EXPECT_GT(kept, 0);
+  EXPECT_LT(kept, runs.calls() / 2);
+}
+
 TEST(FaultsLong, AnyDamageToTheRunFileIsNoticed)
 {
   expect_damage_to_be_noticed(600);
