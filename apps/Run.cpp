@@ -10,6 +10,7 @@
 #include "render/RenderBackend.h"
 #include "solver/Doing.h"
 #include "solver/Errors.h"
+#include "solver/simulation/Cost.h"
 #include "solver/simulation/Simulation.h"
 #include "solver/files/FileBytes.h"
 #include "solver/scene/SceneFile.h"
@@ -36,6 +37,8 @@ Run::Run(Scene scene, const std::filesystem::path& folder, const RunOptions& opt
 int Run::carry_out()
 {
   watch_for_interrupts();
+  require_affordable(cost_of(scene_, scene_.vesicle.mesh_file ? 0 : scene_.vesicle.shape.triangles),
+    resources_for(folder_.folder()));
   const bool existing = !folder_.files().empty();
   if (existing)
   {
@@ -99,6 +102,7 @@ void Run::take_folder()
   folder_.clear_but_checkpoint();
   table_.emplace(folder_.table(), std::vector<Row>{});
   progress_.emplace(options_.quiet, 0, scene_.time.end);
+  progress_->say(to_text(stepper_->GetSimulation()->numbers()));
   if (!stepper_->GetSimulation()->notes().empty())
   {
     progress_->say(stepper_->GetSimulation()->notes());
@@ -301,6 +305,7 @@ void Run::summarize()
     summary_.steps = stepper_->GetState()->step - first_step_;
   }
   summary_.frames = series_.frames().size();
+  summary_.numbers = stepper_->GetSimulation()->numbers();
   summary_.triangles = static_cast<int>(stepper_->GetSimulation()->triangles().rows());
   summary_.resumed = resumed_;
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - began_;

@@ -47,6 +47,14 @@ Json observables(const Diagnostics& diagnostics)
   return result;
 }
 
+Json numbers(const DimensionlessNumbers& n)
+{
+  const auto number = [](const std::optional<double>& value) -> Json
+  { return value ? Json(*value) : Json(nullptr); };
+  return { { "r0", n.radius }, { "time_unit", n.time_unit }, { "bond", number(n.bond) },
+    { "capillary", number(n.capillary) } };
+}
+
 Json timings(const RunSummary& s)
 {
   const auto threads =
@@ -74,6 +82,7 @@ void write_summary(const RunSummary& s, const std::filesystem::path& file)
     summary["drifts"] = { { "area", s.last->area_drift }, { "volume", s.last->volume_drift } };
     summary["corrections"] = { { "area", s.last->area_correction },
       { "volume", s.last->volume_correction } };
+    summary["numbers"] = numbers(s.numbers);
     summary["final"] = observables(*s.last);
   }
   summary["timings"] = timings(s);

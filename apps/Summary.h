@@ -3,6 +3,7 @@
 
 #include "solver/dynamics/Diagnostics.h"
 #include "solver/scene/Scene.h"
+#include "solver/simulation/DimensionlessNumbers.h"
 
 #include <filesystem>
 #include <optional>
@@ -17,6 +18,7 @@ struct RunSummary
   std::string outcome;             ///< finished, steady, interrupted or failed
   std::string message;             ///< why it failed
   std::optional<Diagnostics> last; ///< of the last state; none was reached where empty
+  DimensionlessNumbers numbers;
   std::size_t frames = 0;
   int triangles = 0;
   double wall_seconds = 0; ///< of this sitting

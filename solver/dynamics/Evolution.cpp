@@ -23,6 +23,15 @@ constexpr int max_attempts = 40;
 // The shape's normal speed relative to its centroid, in r0 times the system's rate.
 constexpr double steady_speed = 2e-3;
 
+// The last guard: nothing else is ever saved.
+void require_finite(const State& state)
+{
+  for (const VesicleState& v : state.vesicles)
+    if (!v.points.allFinite() || !v.velocity.allFinite() || !v.node_velocity.allFinite() ||
+      !v.tension.allFinite() || !v.stiff_force.allFinite())
+      throw NumericalError("velocities or tensions are not finite");
+}
+
 }
 
 Evolution::Evolution(System system, const StepperSettings& settings, const OutputSchedule& schedule,
@@ -105,19 +114,18 @@ State Evolution::step(const State& before)
   std::string reason;
   for (int attempt = 0; attempt < max_attempts; ++attempt)
   {
-    StepReport report;
-    State after;
     try
     {
-      after = stepper_.attempt(from, report);
+      StepReport report;
+      State after = stepper_.attempt(from, report);
       reason = reason_to_reject(report, stepper_.settings().limits);
+      if (reason.empty())
+        return accept(before, from, std::move(after), report);
     }
     catch (const NumericalError& error)
     {
-      reason = error.what();
+      reason = error.what(); // of a solve, this step's or the next one's start
     }
-    if (reason.empty())
-      return accept(before, from, std::move(after), report);
     if (fixed_step_)
       throw NumericalError(fmt::format("t = {}: a step of {} can't be made: {}. Take a smaller "
                                        "time.step, or time.step = \"auto\".",
@@ -154,6 +162,7 @@ State Evolution::accept(const State& before, const State& from, State after, Ste
   // An error that is known only now counts for the step after the next one.
   stepper_.complete(from, after, report);
   choose_step();
+  require_finite(after);
   return after;
 }
 

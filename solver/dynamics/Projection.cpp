@@ -21,15 +21,17 @@ ProjectionResult project_area_and_volume(Points& points, const SurfaceSpace& spa
   double target_area, double target_volume, bool volume_only)
 {
   ProjectionResult result;
-  for (int sweep = 0; sweep < max_sweeps; ++sweep)
+  for (int sweep = 0;; ++sweep)
   {
     const AreaAndVolume c = area_and_volume(space, points);
     const Eigen::Vector2d error(volume_only ? 0 : target_area - c.area, target_volume - c.volume);
+    const double area = std::abs(error[0]) / target_area,
+                 volume = std::abs(error[1]) / target_volume;
     if (sweep == 0)
-      result = { std::abs(error[0]) / target_area, std::abs(error[1]) / target_volume };
-    if (std::abs(error[0]) <= tolerance * target_area &&
-      std::abs(error[1]) <= tolerance * target_volume)
-      break;
+      result = { area, volume };
+    result.left = area + volume;
+    if ((area <= tolerance && volume <= tolerance) || sweep == max_sweeps)
+      return result;
 
     Eigen::VectorXd shift;
     if (volume_only)
@@ -44,7 +46,6 @@ ProjectionResult project_area_and_volume(Points& points, const SurfaceSpace& spa
     }
     points += rows_of_three(shift);
   }
-  return result;
 }
 
 }

@@ -11,6 +11,7 @@ struct ProjectionResult
 {
   double area_removed = 0;   ///< |A − A0|/A0 before
   double volume_removed = 0; ///< |V − V0|/V0 before
+  double left = 0;           ///< their sum afterwards: 2e-13 at most, or it did not succeed
 };
 
 /// Moves the nodes along the two directions of AreaAndVolume such that area and volume have their

@@ -32,6 +32,8 @@ std::string reason_to_reject(const StepReport& r, const StepLimits& limits)
   if (!(r.volume_change <= limits.geometry_change))
     return fmt::format(
       "volume changes by {:.1e}, over {:.1e}", r.volume_change, limits.geometry_change);
+  if (!(r.constraint_left <= limits.constraint_left))
+    return fmt::format("area and volume can't be restored: {:.1e} is left", r.constraint_left);
   if (!(r.energy_rise <= limits.energy_rise))
     return fmt::format("bending energy rises by {:.1e} of it in a fluid at rest, over {:.1e}",
       r.energy_rise, limits.energy_rise);

@@ -14,9 +14,10 @@ struct StepReport
   double error = 0; ///< e = dt max|n·(u_mid − u_start)|, a length
   double displacement =
     0; ///< largest normal displacement of a node relative to the centroid, in edges
-  double area_change = 0;   ///< |ΔA|/A before the projection
-  double volume_change = 0; ///< |ΔV|/V before the projection
-  double energy_rise = 0;   ///< relative, of the bending energy in a fluid at rest; 0 otherwise
+  double area_change = 0;     ///< |ΔA|/A before the projection
+  double volume_change = 0;   ///< |ΔV|/V before the projection
+  double constraint_left = 0; ///< of area and volume after it, relative
+  double energy_rise = 0;     ///< relative, of the bending energy in a fluid at rest; 0 otherwise
 };
 
 struct StepLimits
@@ -25,6 +26,7 @@ struct StepLimits
   double reject_error = 4;       ///< in tolerances: the estimate is of lower order than the step
   double displacement = 0.3;     ///< in mean edges: frozen coefficients hold no further
   double geometry_change = 2e-3; ///< area and volume: the step no longer follows the constraint
+  double constraint_left = 1e-9; ///< the projection is good for 1e-13 where it succeeds
   double energy_rise = 1e-6;     ///< dissipation is the one thing a fluid at rest can do
   double growth = 1.5;           ///< at most, from one step to the next
   double shrink = 0.3;           ///< at most

@@ -315,6 +315,7 @@ void Stepper::restore_area_and_volume(State& after, const SystemShape& start, St
       vesicle.target_area, vesicle.target_volume, !before.constraint || before.gauge_pinned());
     vesicle.area_correction += removed.area_removed;
     vesicle.volume_correction += removed.volume_removed;
+    report.constraint_left += removed.left; // of all: a sum keeps a NaN
   }
   report.finite = finite();
   if (report.finite && system_.only_relaxes())

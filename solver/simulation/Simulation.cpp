@@ -4,6 +4,7 @@
 #include "solver/dynamics/Evolution.h"
 #include "solver/dynamics/StateReport.h"
 #include "solver/mesh/MeshInspection.h"
+#include "solver/simulation/Cost.h"
 #include "solver/simulation/StartMesh.h"
 #include "solver/simulation/SystemOfScene.h"
 #include "solver/mesh/Preparation.h"
@@ -47,23 +48,27 @@ struct Simulation::Impl
   Scales scales;
   Evolution evolution;
   StateReport report;
+  DimensionlessNumbers numbers;
 
   Impl(const Scene& s, TriangleMesh mesh, const std::string& start_notes)
     : scene(s), notes(prepare_for_dynamics(mesh, start_name(s))), start_mesh(std::move(mesh)),
       scales(scales_of(s, start_mesh)),
       evolution(system_of(s, scales, start_mesh), stepper_settings_of(s), schedule_of(s),
         scales.time(), fixed_step(s, scales)),
-      report(evolution.system(), scales)
+      report(evolution.system(), scales),
+      numbers(dimensionless_numbers(s, scales, evolution.system()))
   {
-    notes = joined({ check_smoothness(scene, start_mesh), start_notes, notes });
+    notes =
+      joined({ check_smoothness(scene, start_mesh), check_units(numbers), start_notes, notes });
   }
 
   std::vector<Points> start_points() const { return { start_mesh.points / scales.length }; }
 };
 
 Simulation::Simulation(const Scene& scene, TriangleMesh start, const std::string& notes)
-  : impl_(std::make_unique<Impl>(scene, std::move(start), notes))
 {
+  require_memory(cost_of(scene, static_cast<double>(start.triangles.rows())));
+  impl_ = std::make_unique<Impl>(scene, std::move(start), notes);
 }
 
 Simulation::~Simulation() = default;
@@ -91,6 +96,11 @@ const Triangles& Simulation::triangles() const
 const std::string& Simulation::notes() const
 {
   return impl_->notes;
+}
+
+const DimensionlessNumbers& Simulation::numbers() const
+{
+  return impl_->numbers;
 }
 
 const OutputSchedule& Simulation::schedule() const

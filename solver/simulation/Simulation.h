@@ -5,6 +5,7 @@
 #include "solver/dynamics/OutputSchedule.h"
 #include "solver/dynamics/Scales.h"
 #include "solver/scene/Scene.h"
+#include "solver/simulation/DimensionlessNumbers.h"
 #include "solver/dynamics/State.h"
 
 #include <map>
@@ -18,8 +19,8 @@ class Simulation
 {
 public:
   /// `start` is the start mesh in the scene's units, oriented outward (make_start_mesh gives it for
-  /// scenes with a shape; scenes with a mesh file have it read by a reader). Throws InputError.
-  /// `notes` (how the mesh was made, say) come before the simulation's own.
+  /// scenes with a shape; scenes with a mesh file have it read by a reader). Throws InputError,
+  /// also where the machine's memory is too small. `notes` (how the mesh was made, say) come before the simulation's own.
   Simulation(const Scene& scene, TriangleMesh start, const std::string& notes = {});
   ~Simulation();
 
@@ -31,6 +32,7 @@ public:
   /// What was changed in the start mesh and what is to be said of it, for the user; empty if
   /// nothing.
   const std::string& notes() const;
+  const DimensionlessNumbers& numbers() const;
   /// The times that are hit exactly.
   const OutputSchedule& schedule() const;
 

@@ -10,9 +10,6 @@
 namespace vesicle
 {
 
-namespace
-{
-
 double bond_number(const Scene::Gravity& gravity, const Scales& scales)
 {
   if (gravity.bond_number)
@@ -20,6 +17,9 @@ double bond_number(const Scene::Gravity& gravity, const Scales& scales)
   return gravity.density_difference * gravity.acceleration * std::pow(scales.length, 4) /
     scales.energy;
 }
+
+namespace
+{
 
 VertexCurvature curvature_of(const Scene::Accuracy& accuracy)
 {

@@ -12,6 +12,9 @@ namespace vesicle
 /// The units in which a scene is computed; `mesh` is its start mesh, in the scene's units.
 Scales scales_of(const Scene& scene, const TriangleMesh& mesh);
 
+/// Bo = Δρ g r0⁴/EB.
+double bond_number(const Scene::Gravity& gravity, const Scales& scales);
+
 /// The scene's vesicle on the triangles of its start mesh, and the flow, dimensionless.
 System system_of(const Scene& scene, const Scales& scales, const TriangleMesh& mesh);
 

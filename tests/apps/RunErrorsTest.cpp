@@ -146,8 +146,8 @@ TEST_F(RunErrors, FailedRunKeepsItsLastGoodState)
 
 TEST_F(RunErrors, WithoutAGoodStateTheStartShapeIsLeftToLookAt)
 {
-  // A start that can't be solved, and one that can't be told in numbers.
-  for (const char* rigidity : { "1e-300", "1e300" })
+  // Starts that can't be solved, or told in numbers.
+  for (const char* rigidity : { "1e200", "1e300" })
   {
     const std::string setting = std::string("membrane.bending_rigidity=") + rigidity;
     for (const char* way : { "--overwrite", "--resume" })

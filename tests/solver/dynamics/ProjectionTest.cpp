@@ -25,6 +25,19 @@ TEST(Projection, MeetsAreaAndVolumeAtOnceAndReportsWhatItRemoved)
   EXPECT_NEAR(flat_volume({ points, mesh.triangles }) / V, 0.9995, 1e-12);
 }
 
+// No shape has the area of a smaller ball than its volume: what is left is reported, not hidden.
+TEST(Projection, SaysWhatItCanNotRemove)
+{
+  const TriangleMesh mesh = test::mapped(test::smooth_sphere(320), test::ellipsoid_2_1_1);
+  const SurfaceSpace linear(
+    SurfaceBasis::linear, mesh.triangles, static_cast<int>(mesh.points.rows()));
+  const double A = flat_area(mesh), V = flat_volume(mesh);
+  Points points = mesh.points;
+  EXPECT_LE(project_area_and_volume(points, linear, 1.001 * A, V, false).left, 1e-13);
+  points = mesh.points;
+  EXPECT_FALSE(project_area_and_volume(points, linear, 0.3 * A, V, false).left < 1e-3);
+}
+
 TEST(Projection, OnALimitSurface)
 {
   const TriangleMesh mesh = test::mapped(test::smooth_sphere(320), test::ellipsoid_2_1_1);

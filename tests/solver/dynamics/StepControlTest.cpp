@@ -32,6 +32,8 @@ TEST(StepControl, RejectsAndSaysWhy)
   EXPECT_NE(reason([](StepReport& r) { r.area_change = 3e-3; }).find("area"), std::string::npos);
   EXPECT_NE(
     reason([](StepReport& r) { r.volume_change = 3e-3; }).find("volume"), std::string::npos);
+  EXPECT_NE(
+    reason([](StepReport& r) { r.constraint_left = 1e-8; }).find("restored"), std::string::npos);
   EXPECT_NE(reason([](StepReport& r) { r.energy_rise = 2e-6; }).find("energy"), std::string::npos);
   EXPECT_NE(reason([](StepReport& r) { r.error = std::nan(""); }), "");
 }

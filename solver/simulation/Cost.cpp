@@ -1,0 +1,125 @@
+#include "solver/simulation/Cost.h"
+
+#include "solver/Errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <string>
+
+#include <unistd.h>
+
+namespace vesicle
+{
+
+namespace
+{
+
+// Fitted to 320, 1,280 and 5,120 triangles on flat triangles and on Loop's surface: what dense
+// matrices take, and the time of a step on one core.
+constexpr double program_bytes = 6e7, bytes_a_triangle = 2.3e4;
+constexpr double flat_bytes_a_pair = 27, loop_bytes_a_pair = 50;
+constexpr double flat_seconds_a_pair = 1.7e-8, loop_seconds_a_pair = 1e-7;
+// Points, triangles and a dozen point arrays.
+constexpr double frame_bytes_a_triangle = 120;
+// Colours and depths, with the samples that smooth edges.
+constexpr double bytes_a_pixel = 64;
+// More than this is a mistake, whatever the machine.
+constexpr double most_frames = 1e6, most_steps = 1e9;
+
+// Runs that write less than this are begun on any disk: a full one stops them with its own message.
+constexpr double least_refused = 1e9;
+
+/// The whole number in a file of the system, infinite where there is none ("max").
+double number_in(const char* file)
+{
+  std::ifstream in(file);
+  double number;
+  return in >> number ? number : INFINITY;
+}
+
+std::string gigabytes(double bytes)
+{
+  return bytes < 1e12 ? fmt::format("{:.3g} GB", bytes / 1e9)
+                      : fmt::format("{:.3g} TB", bytes / 1e12);
+}
+
+}
+
+Cost cost_of(const Scene& scene, double triangles)
+{
+  const bool flat = scene.accuracy.basis == Scene::Basis::linear;
+  const double pairs = triangles * triangles;
+  Cost cost;
+  cost.memory = program_bytes + bytes_a_triangle * triangles +
+    (flat ? flat_bytes_a_pair : loop_bytes_a_pair) * pairs;
+  if (scene.time.end && scene.time.output_every > 0)
+    cost.frames = *scene.time.end / scene.time.output_every + 1;
+  if (scene.time.end && scene.time.step)
+    cost.steps = *scene.time.end / *scene.time.step;
+  cost.steps = std::max(cost.steps, cost.frames - 1);
+  cost.seconds = cost.steps * (flat ? flat_seconds_a_pair : loop_seconds_a_pair) * pairs;
+  cost.disk = cost.frames * frame_bytes_a_triangle * triangles;
+  cost.picture = bytes_a_pixel * scene.movie.size[0] * scene.movie.size[1];
+  return cost;
+}
+
+Resources resources_for(const std::filesystem::path& folder)
+{
+  const double pages = static_cast<double>(sysconf(_SC_PHYS_PAGES));
+  const double page = static_cast<double>(sysconf(_SC_PAGE_SIZE));
+  Resources available;
+  available.memory = std::min(pages * page, number_in("/sys/fs/cgroup/memory.max"));
+  std::filesystem::path existing = std::filesystem::absolute(folder);
+  std::error_code unknown;
+  while (!std::filesystem::exists(existing, unknown) && existing.has_relative_path())
+    existing = existing.parent_path();
+  const auto space = std::filesystem::space(existing, unknown);
+  available.disk = unknown ? INFINITY : static_cast<double>(space.available);
+  return available;
+}
+
+namespace
+{
+
+void require_memory(double memory, double available)
+{
+  if (!(memory <= available))
+    throw InputError(
+      fmt::format("the run would take about {} of memory, of {} that there are: take fewer "
+                  "triangles (vesicle.triangles)",
+        gigabytes(memory), gigabytes(available)));
+}
+
+}
+
+void require_memory(const Cost& cost)
+{
+  require_memory(cost.memory, resources_for(".").memory);
+}
+
+void require_affordable(const Cost& cost, const Resources& available)
+{
+  require_memory(cost.memory, available.memory);
+  if (!(cost.picture <= available.memory))
+    throw InputError(fmt::format(
+      "a picture of the movie would take about {} of memory, of {} that there are: take "
+      "a smaller movie.size",
+      gigabytes(cost.picture), gigabytes(available.memory)));
+  if (!(cost.frames <= most_frames))
+    throw InputError(fmt::format("the run would write {:.3g} frames, over {:.0e}: take a longer "
+                                 "time.output_every, or an earlier time.end",
+      cost.frames, most_frames));
+  if (!(cost.disk <= std::max(available.disk, least_refused)))
+    throw InputError(fmt::format("the run would write {:.3g} frames, {} of which {} are free: take "
+                                 "a longer time.output_every, or fewer triangles",
+      cost.frames, gigabytes(cost.disk), gigabytes(available.disk)));
+  if (!(cost.steps <= most_steps))
+    throw InputError(fmt::format("the run would take {:.3g} steps, over {:.0e}: take a longer "
+                                 "time.step, or an earlier time.end",
+      cost.steps, most_steps));
+}
+
+}
