@@ -13,7 +13,6 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkTriangleFilter.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -177,14 +176,6 @@ std::vector<std::string> names_of_fields(vtkPolyData* surface)
     }
   }
   return names;
-}
-
-vtkSmartPointer<vtkPolyData> triangulated(vtkPolyData* surface)
-{
-  vtkNew<vtkTriangleFilter> filter;
-  filter->SetInputData(surface);
-  filter->Update();
-  return filter->GetOutput();
 }
 
 void add_shape(Series& series, vtkPolyData* surface)

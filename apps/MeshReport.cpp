@@ -1,6 +1,8 @@
 #include "apps/MeshReport.h"
 
+#include "solver/mesh/BodyOrientation.h"
 #include "solver/mesh/Connectivity.h"
+#include "solver/mesh/MeshInspection.h"
 #include "solver/mesh/MeshIntegrals.h"
 #include "solver/mesh/Topology.h"
 #include "solver/surface/SurfaceMeasures.h"
@@ -11,6 +13,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace vesicle
 {
@@ -34,6 +37,19 @@ nlohmann::ordered_json number(std::optional<double> value)
   return value && std::isfinite(*value) ? nlohmann::ordered_json(*value) : nullptr;
 }
 
+std::string facing_text(const BodyOrientation& orientation)
+{
+  std::string text;
+  for (std::size_t i = 0; i < orientation.bodies.size(); ++i)
+  {
+    if (orientation.turned[i] || orientation.inner_side[i])
+      text += fmt::format("{}{} {}", text.empty() ? "" : "; ", to_text(orientation.bodies[i]),
+        orientation.inner_side[i] ? "is the inner side of a shell"
+                                  : "is inside out and measured as facing outward");
+  }
+  return text;
+}
+
 std::string text(std::optional<double> value)
 {
   return value ? fmt::format("{:.8g}", *value) : "undefined (the mesh isn't closed and oriented)";
@@ -41,10 +57,18 @@ std::string text(std::optional<double> value)
 
 }
 
-MeshReport::MeshReport(const TriangleMesh& mesh, SurfaceBasis wanted)
+MeshReport::MeshReport(TriangleMesh mesh, SurfaceBasis wanted)
   : vertices(used_vertices(mesh)), triangles(mesh.triangles.rows()),
-    topology(vesicle::topology(mesh)), quality(mesh_quality(mesh))
+    topology(vesicle::topology(mesh)),
+    nonmanifold(MeshInspection(mesh).nonmanifold_place(mesh.points)),
+    self_crossing(find_self_crossing(mesh)), quality(mesh_quality(mesh))
 {
+  // One body that faces inward has a negative volume; of several, those inside out are turned.
+  if (BodyOrientation orientation(mesh); orientation.bodies.size() > 1)
+  {
+    facing = facing_text(orientation);
+    mesh.triangles = std::move(orientation.triangles);
+  }
   if (!topology.closed || !topology.oriented)
   {
     area = flat_area(mesh);
@@ -65,12 +89,17 @@ nlohmann::ordered_json to_json(const MeshReport& r)
 {
   return { { "vertices", r.vertices }, { "triangles", r.triangles },
     { "closed", r.topology.closed }, { "oriented", r.topology.oriented },
-    { "components", r.topology.components }, { "genus", r.topology.genus },
+    { "manifold", r.topology.manifold }, { "components", r.topology.components },
+    { "genus", r.topology.genus ? nlohmann::ordered_json(*r.topology.genus) : nullptr },
     { "area", number(r.area) }, { "volume", number(r.volume) },
     { "reduced_volume", number(r.reduced_volume) },
     { "energy_over_8pi", number(r.energy_over_8pi) },
     { "min_angle_deg", number(r.quality.min_angle_deg) },
-    { "edge_ratio", number(r.quality.edge_ratio) }, { "basis", name_of(basis_names, r.basis) } };
+    { "edge_ratio", number(r.quality.edge_ratio) }, { "basis", name_of(basis_names, r.basis) },
+    { "self_crossing",
+      r.self_crossing
+        ? nlohmann::ordered_json::array({ r.self_crossing->first, r.self_crossing->second })
+        : nlohmann::ordered_json() } };
 }
 
 std::string surface_name(const MeshReport& r)
@@ -81,10 +110,16 @@ std::string surface_name(const MeshReport& r)
 std::string to_text(const MeshReport& r)
 {
   const bool inward = r.volume && *r.volume < 0;
+  const std::string oriented = !r.topology.oriented ? "no"
+    : inward                                        ? "yes, inward"
+    : r.facing.empty()                              ? "yes"
+                                                    : "yes; " + r.facing;
   return fmt::format("  vertices         {}\n"
                      "  triangles        {}\n"
                      "  closed           {}\n"
                      "  oriented         {}\n"
+                     "  manifold         {}\n"
+                     "  crosses itself   {}\n"
                      "  components       {}\n"
                      "  genus            {}\n"
                      "  surface          {}\n"
@@ -94,10 +129,13 @@ std::string to_text(const MeshReport& r)
                      "  energy / 8 pi EB {}\n"
                      "  smallest angle   {:.2f} degrees\n"
                      "  edge ratio       {:.3f}\n",
-    r.vertices, r.triangles, r.topology.closed ? "yes" : "no",
-    r.topology.oriented ? (inward ? "yes, inward" : "yes") : "no", r.topology.components,
-    r.topology.genus, surface_name(r), r.area, text(r.volume), text(r.reduced_volume),
-    text(r.energy_over_8pi), r.quality.min_angle_deg, r.quality.edge_ratio);
+    r.vertices, r.triangles, r.topology.closed ? "yes" : "no", oriented,
+    r.nonmanifold.empty() ? "yes" : "no (" + r.nonmanifold + ")",
+    r.self_crossing ? "yes (" + to_text(*r.self_crossing) + ")" : "no", r.topology.components,
+    r.topology.genus ? std::to_string(*r.topology.genus)
+                     : "undefined (the mesh isn't closed, oriented and manifold)",
+    surface_name(r), r.area, text(r.volume), text(r.reduced_volume), text(r.energy_over_8pi),
+    r.quality.min_angle_deg, r.quality.edge_ratio);
 }
 
 }

@@ -3,6 +3,7 @@
 
 #include "solver/surface/SurfaceBasis.h"
 #include "solver/mesh/MeshQuality.h"
+#include "solver/mesh/SelfCrossing.h"
 #include "solver/mesh/Topology.h"
 #include "solver/mesh/TriangleMesh.h"
 
@@ -18,11 +19,16 @@ struct MeshReport
 {
   /// Loop's surface takes a closed, oriented, manifold mesh without loose points; of others the
   /// flat triangles are measured.
-  MeshReport(const TriangleMesh& mesh, SurfaceBasis basis);
+  MeshReport(TriangleMesh mesh, SurfaceBasis basis);
 
   long vertices = 0; ///< those that a triangle uses
   long triangles = 0;
   Topology topology;
+  std::string nonmanifold;               ///< what keeps it from being a manifold; empty: nothing
+  std::optional<Crossing> self_crossing; ///< two triangles that cross
+  /// Of several bodies, those that are inside out, which are measured as facing outward, and those
+  /// that are the inner side of a shell, whose volume is hollow; empty: none.
+  std::string facing;
   MeshQuality quality; ///< of the triangles
   /// The surface that the following was measured on.
   SurfaceBasis basis = SurfaceBasis::linear;

@@ -2,6 +2,8 @@
 
 #include "solver/mesh/DisjointSets.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace vesicle
@@ -135,6 +137,25 @@ MeshInspection::Reorientation MeshInspection::reorientation() const
   for (int t = 0; t < count; ++t)
     result.flipped[t] = sides.find(t) > sides.find(t + count);
   return result;
+}
+
+std::string MeshInspection::nonmanifold_place(const Points& points) const
+{
+  const auto point = [&](int i) -> Vector3 { return points.row(i); };
+  if (const int e = first_nonmanifold_edge(); e >= 0)
+  {
+    const EdgeUse& use = uses_[e].front();
+    return fmt::format("{} triangles at edge {}–{} {}", uses_[e].size(), use.a, use.b,
+      near_text((point(use.a) + point(use.b)) / 2));
+  }
+  if (const int v = first_nonmanifold_vertex(); v >= 0)
+    return fmt::format("two parts share only point {} {}", v, near_text(point(v)));
+  return {};
+}
+
+std::string near_text(const Vector3& x)
+{
+  return fmt::format("near ({:.6g}, {:.6g}, {:.6g})", x.x(), x.y(), x.z());
 }
 
 }

@@ -4,6 +4,7 @@
 
 #include "solver/mesh/EdgeUses.h"
 
+#include <string>
 #include <vector>
 
 namespace vesicle
@@ -26,6 +27,8 @@ public:
   int used_vertices() const;
   /// A vertex of each edge-connected component, by ascending vertex.
   std::vector<int> component_vertices() const;
+  /// What keeps the mesh from being a manifold, and where, in words; empty if it is one.
+  std::string nonmanifold_place(const Points& points) const;
   /// Do neighbouring triangles run through their common edges in opposite directions?
   bool oriented() const;
   struct Reorientation
@@ -44,5 +47,8 @@ private:
   Triangles triangles_;
   std::vector<bool> is_used_;
 };
+
+/// "near (1, 0, 0)".
+std::string near_text(const Vector3& x);
 
 }

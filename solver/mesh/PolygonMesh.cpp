@@ -47,8 +47,8 @@ void check_points(const Points& points, const std::string& name)
   }
 }
 
-void check_corners(
-  const PolygonList& polygons, std::int64_t points, const std::string& name, int first)
+void check_corners(const PolygonList& polygons, std::int64_t points, const std::string& name,
+  int first, const std::string& what)
 {
   for (std::int64_t i = 0; i < polygons.size(); ++i)
   {
@@ -56,11 +56,11 @@ void check_corners(
     {
       if (corner >= 0 && corner < points)
         continue;
-      throw InputError(points == 0
-          ? fmt::format(
-              "{}: face {} uses point {}, but there are no points", name, i + first, corner + first)
-          : fmt::format("{}: face {} uses point {}, but the points are numbered {} to {}", name,
-              i + first, corner + first, first, points - 1 + first));
+      const std::string use =
+        fmt::format("{}: {} {} uses point {}, but ", name, what, i + first, corner + first);
+      throw InputError(use +
+        (points == 0 ? "there are no points"
+                     : fmt::format("the points are numbered {} to {}", first, points - 1 + first)));
     }
   }
 }

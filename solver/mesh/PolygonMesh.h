@@ -38,9 +38,9 @@ struct PolygonList
 void check_points(const Points& points, const std::string& name);
 
 /// Throws InputError "name: face i uses point j, …" unless all corners are among the points; faces
-/// and points are counted from `first`, as the user's file does.
-void check_corners(
-  const PolygonList& polygons, std::int64_t points, const std::string& name, int first = 0);
+/// and points are counted from `first`, as the user's file does. `what` is one of the polygons.
+void check_corners(const PolygonList& polygons, std::int64_t points, const std::string& name,
+  int first = 0, const std::string& what = "face");
 
 /// Throws InputError unless offsets, as VTK's cell arrays have them, start at 0, don't descend and
 /// end at the number of corners. `what` names the cells: "polygons".

@@ -4,6 +4,8 @@
 #include "solver/mesh/MeshInspection.h"
 #include "solver/mesh/MeshIntegrals.h"
 #include "solver/mesh/PointHash.h"
+#include "solver/mesh/PolygonMesh.h"
+#include "solver/mesh/SelfCrossing.h"
 #include "solver/mesh/Topology.h"
 
 #include <fmt/format.h>
@@ -24,11 +26,6 @@ constexpr double duplicate_distance = 1e-9;
 /// |V| below this part of A^{3/2} is no volume but rounding: the surface is folded flat.
 constexpr double no_volume = 1e-10;
 
-std::string near(const Vector3& x)
-{
-  return fmt::format("near ({:.6g}, {:.6g}, {:.6g})", x.x(), x.y(), x.z());
-}
-
 /// The checks of one mesh, each of which throws at the first fault it finds.
 class Preparation
 {
@@ -44,6 +41,7 @@ public:
   void check_vertices() const;
   void check_components() const;
   void check_genus() const;
+  void check_crossing() const;
   /// These change the mesh, and say what they did.
   std::string orient() const;
   std::string drop_unused_points() const;
@@ -66,7 +64,7 @@ private:
 std::string Preparation::place_of_edge(int e) const
 {
   const EdgeUse& use = inspection_.edges()[e].front();
-  return fmt::format("edge {}–{} {}", use.a, use.b, near((point(use.a) + point(use.b)) / 2));
+  return fmt::format("edge {}–{} {}", use.a, use.b, near_text((point(use.a) + point(use.b)) / 2));
 }
 
 /// Of the bounding box of the points in use.
@@ -86,7 +84,7 @@ void Preparation::check_duplicates() const
 {
   const double size = diagonal();
   if (!(size > 0))
-    fail("all points coincide {}", near(point(mesh_.triangles(0, 0))));
+    fail("all points coincide {}", near_text(point(mesh_.triangles(0, 0))));
   const Vector3 origin = point(mesh_.triangles(0, 0));
   PointHash seen(duplicate_distance * size);
   for (int i = 0; i < mesh_.points.rows(); ++i)
@@ -98,7 +96,7 @@ void Preparation::check_duplicates() const
       fail(
         "duplicate points {} and {} {}: merge points that coincide (vtkCleanPolyData, ParaView's "
         "Clean, or merge_vertices of the program that wrote the mesh)",
-        twin, i, near(point(i)));
+        twin, i, near_text(point(i)));
     }
     seen.insert(point(i) - origin, i);
   }
@@ -116,7 +114,7 @@ void Preparation::check_areas() const
     {
       fail("degenerate triangle {} (points {}, {}, {}) without area {}: remove it by merging its "
            "points (vtkCleanPolyData) or remesh the surface",
-        t, i, j, k, near((a + b + c) / 3));
+        t, i, j, k, near_text((a + b + c) / 3));
     }
   }
 }
@@ -144,7 +142,7 @@ void Preparation::check_vertices() const
   {
     fail("two parts of the surface touch in point {} {} only: give each part its own point, or "
          "remove one of them",
-      v, near(point(v)));
+      v, near_text(point(v)));
   }
 }
 
@@ -157,13 +155,14 @@ void Preparation::check_components() const
       "the mesh has {} separate components, the first with point {} {}, the second with point {} "
       "{}: simulate one vesicle at a time; keep one of them "
       "(vtkPolyDataConnectivityFilter, ParaView's Connectivity)",
-      starts.size(), starts[0], near(point(starts[0])), starts[1], near(point(starts[1])));
+      starts.size(), starts[0], near_text(point(starts[0])), starts[1],
+      near_text(point(starts[1])));
   }
 }
 
 void Preparation::check_genus() const
 {
-  if (const int genus = topology(mesh_).genus; genus != 0)
+  if (const int genus = topology(mesh_).genus.value_or(0); genus != 0)
   {
     Vector3 middle = Vector3::Zero();
     for (const int vertex : mesh_.triangles.reshaped())
@@ -171,7 +170,16 @@ void Preparation::check_genus() const
     fail(
       "the surface about its centre {} has genus {} ({} handle{}, as a torus has one): a vesicle "
       "here is a deformed sphere, of genus 0",
-      near(middle), genus, genus, genus == 1 ? "" : "s");
+      near_text(middle), genus, genus, genus == 1 ? "" : "s");
+  }
+}
+
+void Preparation::check_crossing() const
+{
+  if (const auto crossing = find_self_crossing(mesh_))
+  {
+    fail("the surface crosses itself: {}; part the sheets there, or remesh a smoother surface",
+      to_text(*crossing));
   }
 }
 
@@ -195,8 +203,8 @@ std::string Preparation::orient() const
   const double volume = flat_volume(mesh_);
   if (std::abs(volume) <= no_volume * std::pow(flat_area(mesh_), 1.5))
   {
-    fail(
-      "the surface encloses no volume {}: it is folded flat", near(point(mesh_.triangles(0, 0))));
+    fail("the surface encloses no volume {}: it is folded flat",
+      near_text(point(mesh_.triangles(0, 0))));
   }
   if (volume < 0)
   {
@@ -245,27 +253,15 @@ void check_indices(const TriangleMesh& mesh, const std::string& name)
     throw InputError(fmt::format(
       "{}: the mesh is empty ({} points, {} triangles)", name, points, mesh.triangles.rows()));
   }
-  for (int i = 0; i < points; ++i)
+  PolygonList triangles;
+  triangles.corners.reserve(mesh.triangles.size());
+  for (const auto& row : mesh.triangles.rowwise())
   {
-    if (!mesh.points.row(i).allFinite())
-    {
-      throw InputError(
-        fmt::format("{}: point {} is ({}, {}, {}): coordinates must be finite numbers", name, i,
-          mesh.points(i, 0), mesh.points(i, 1), mesh.points(i, 2)));
-    }
+    triangles.corners.insert(triangles.corners.end(), { row[0], row[1], row[2] });
+    triangles.close(triangles.size());
   }
-  for (int t = 0; t < mesh.triangles.rows(); ++t)
-  {
-    for (const int vertex : mesh.triangles.row(t))
-    {
-      if (vertex < 0 || vertex >= points)
-      {
-        throw InputError(
-          fmt::format("{}: triangle {} uses point {}, but the points are numbered 0 to {}", name, t,
-            vertex, points - 1));
-      }
-    }
-  }
+  check_points(mesh.points, name);
+  check_corners(triangles, points, name, 0, "triangle");
 }
 
 // The order goes from causes to consequences: an unmerged seam, for instance, also looks open.
@@ -274,12 +270,14 @@ std::string prepare_for_dynamics(TriangleMesh& mesh, const std::string& name)
   check_indices(mesh, name);
   const Preparation preparation(mesh, name);
   preparation.check_duplicates();
+  preparation.check_genus(); // where it is known already: no remedy below helps against a handle
   preparation.check_areas();
   preparation.check_edges();
   preparation.check_vertices();
   preparation.check_components();
   std::vector<std::string> changes{ preparation.orient() };
   preparation.check_genus();
+  preparation.check_crossing();
   changes.push_back(preparation.drop_unused_points());
   std::erase(changes, "");
   return changes.empty() ? "" : fmt::format("{}: {}", name, fmt::join(changes, "; "));

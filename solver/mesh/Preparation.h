@@ -9,7 +9,7 @@ namespace vesicle
 {
 
 /// Makes `mesh` fit for dynamics: closed, manifold, consistently oriented, one component, genus 0,
-/// no degenerate triangle, no duplicate or unused point, finite coordinates. A consistently inward
+/// no degenerate triangle, no duplicate or unused point, no triangles that cross, finite coordinates. A consistently inward
 /// mesh is flipped, and inconsistent orientations of an orientable mesh are mended; the returned
 /// text then says so (empty: nothing was changed). Throws InputError naming the place (vertex,
 /// triangle or edge with its coordinates) and a remedy, prefixed with `name`.

@@ -15,7 +15,7 @@ Topology topology(const TriangleMesh& mesh)
     inspection.first_nonmanifold_edge() < 0 && inspection.first_nonmanifold_vertex() < 0;
   result.oriented = inspection.oriented();
   result.components = static_cast<int>(inspection.component_vertices().size());
-  if (result.closed && result.manifold)
+  if (result.closed && result.manifold && result.oriented)
   {
     const int euler = inspection.used_vertices() - inspection.edges().size() +
       static_cast<int>(mesh.triangles.rows());

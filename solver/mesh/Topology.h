@@ -3,6 +3,8 @@
 
 #include "solver/mesh/TriangleMesh.h"
 
+#include <optional>
+
 namespace vesicle
 {
 
@@ -12,7 +14,8 @@ struct Topology
   bool manifold = false; ///< no edge has more than two; the triangles at a vertex form one fan
   bool oriented = false; ///< neighbouring triangles agree on the orientation
   int components = 0;    ///< edge-connected, of vertices that a triangle uses
-  int genus = 0;         ///< of a closed, manifold mesh, summed over the components; otherwise 0
+  /// Of a closed, manifold, oriented mesh, summed over the components; others have none.
+  std::optional<int> genus;
 };
 Topology topology(const TriangleMesh& mesh);
 

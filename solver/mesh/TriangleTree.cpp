@@ -187,4 +187,46 @@ TriangleTree::Hit TriangleTree::intersect(const Vector3& x, const Vector3& direc
   return best;
 }
 
+void TriangleTree::visit_overlaps(const std::function<bool(int, int)>& visit) const
+{
+  visit_within(0, visit);
+}
+
+bool TriangleTree::visit_within(int number, const VisitPair& visit) const
+{
+  const Node& node = nodes_[number];
+  if (node.right >= 0)
+    return visit_within(number + 1, visit) || visit_within(node.right, visit) ||
+      visit_between(number + 1, node.right, visit);
+  for (int i = node.first; i < node.last; ++i)
+    for (int j = i + 1; j < node.last; ++j)
+      if (box_of(order_[i]).intersects(box_of(order_[j])) && visit(order_[i], order_[j]))
+        return true;
+  return false;
+}
+
+bool TriangleTree::visit_between(int l, int r, const VisitPair& visit) const
+{
+  const Node &left = nodes_[l], &right = nodes_[r];
+  if (!left.box.intersects(right.box))
+    return false;
+  if (left.right >= 0 && (right.right < 0 || left.last - left.first >= right.last - right.first))
+    return visit_between(l + 1, r, visit) || visit_between(left.right, r, visit);
+  if (right.right >= 0)
+    return visit_between(l, r + 1, visit) || visit_between(l, right.right, visit);
+  for (int i = left.first; i < left.last; ++i)
+    for (int j = right.first; j < right.last; ++j)
+      if (box_of(order_[i]).intersects(box_of(order_[j])) && visit(order_[i], order_[j]))
+        return true;
+  return false;
+}
+
+Eigen::AlignedBox3d TriangleTree::box_of(int triangle) const
+{
+  Eigen::AlignedBox3d box;
+  for (const Vector3& corner : corners(mesh_, triangle))
+    box.extend(corner);
+  return box;
+}
+
 }

@@ -4,6 +4,7 @@
 
 #include "solver/mesh/TriangleMesh.h"
 
+#include <functional>
 #include <vector>
 
 namespace vesicle
@@ -30,6 +31,9 @@ public:
   /// half space of `direction`, the place nearest to x.
   Hit intersect(const Vector3& x, const Vector3& direction) const;
 
+  /// Calls `visit(i, j)` with pairs of triangles whose boxes meet, each once, until it returns true.
+  void visit_overlaps(const std::function<bool(int, int)>& visit) const;
+
   const TriangleMesh& mesh() const { return mesh_; }
   const Points& facings() const { return facings_; }
 
@@ -47,6 +51,11 @@ private:
   void build(int first, int last, const Points& centres);
   void visit_nearest(int node, const Vector3& x, Hit& best) const;
   void visit_intersections(int node, const Vector3& x, const Vector3& direction, Hit& best) const;
+
+  using VisitPair = std::function<bool(int, int)>;
+  bool visit_within(int node, const VisitPair& visit) const;
+  bool visit_between(int left, int right, const VisitPair& visit) const;
+  Eigen::AlignedBox3d box_of(int triangle) const;
 
   TriangleMesh mesh_;
   Points facings_;

@@ -287,4 +287,69 @@ TEST(CurvatureFilter, PrincipalCurvatures)
   }
 }
 
+namespace
+{
+
+vtkSmartPointer<vtkPolyData> two_spheres(double second_radius, const Vector3& centre, bool inward)
+{
+  const TriangleMesh ball = geodesic_sphere(8);
+  TriangleMesh both{ Points(2 * ball.points.rows(), 3), Triangles(2 * ball.triangles.rows(), 3) };
+  Points second = second_radius * ball.points;
+  second.rowwise() += centre.transpose();
+  Triangles triangles = ball.triangles.array() + static_cast<int>(ball.points.rows());
+  if (inward)
+  {
+    triangles.col(1).swap(triangles.col(2));
+  }
+  both.points << radius * ball.points, second;
+  both.triangles << ball.triangles, triangles;
+  return to_polydata(both);
+}
+
+}
+
+TEST(CurvatureFilter, OneBodyInsideOutCountsAsFacingOutward)
+{
+  const VtkMessages messages;
+  const auto surface = with_curvature(two_spheres(1, Vector3(5, 0, 0), true));
+  EXPECT_NEAR(value(surface, "Mean_Curvature", 0), 1 / radius, 1e-3);
+  EXPECT_NEAR(value(surface, "Mean_Curvature", surface->GetNumberOfPoints() - 1), 1, 2e-3);
+  EXPECT_NE(messages.first_warning().find("the body about (5, 0, 0)"), std::string::npos)
+    << messages.first_warning();
+}
+
+TEST(CurvatureFilter, TheInnerSideOfAShellFacesInward)
+{
+  const VtkMessages messages;
+  const auto surface = with_curvature(two_spheres(1, Vector3::Zero(), true));
+  EXPECT_NEAR(value(surface, "Mean_Curvature", 0), 1 / radius, 1e-3);
+  EXPECT_NEAR(value(surface, "Mean_Curvature", surface->GetNumberOfPoints() - 1), -1, 2e-3);
+  EXPECT_NE(messages.first_warning().find("inner side of a shell"), std::string::npos)
+    << messages.first_warning();
+}
+
+TEST(CurvatureFilter, IsTheSameFarFromTheOrigin)
+{
+  for (const int scheme : { vtkVesicleCurvatureFilter::Fit, vtkVesicleCurvatureFilter::Cotan,
+         vtkVesicleCurvatureFilter::Loop })
+  {
+    vtkSmartPointer<vtkPolyData> near, far;
+    for (const double distance : { 0., 1e6 })
+    {
+      TriangleMesh mesh = geodesic_sphere(8);
+      mesh.points.array() += distance;
+      vtkNew<vtkVesicleCurvatureFilter> filter;
+      filter->SetScheme(scheme);
+      filter->SetInputData(to_polydata(mesh));
+      filter->Update();
+      (distance > 0 ? far : near) = filter->GetOutput();
+    }
+    for (vtkIdType i = 0; i < near->GetNumberOfPoints(); ++i)
+    {
+      // Coordinates of 1e6 are rounded to 1e-10; second differences over edges of 0.15.
+      EXPECT_NEAR(value(far, "Mean_Curvature", i), value(near, "Mean_Curvature", i), 1e-7);
+    }
+  }
+}
+
 }

@@ -114,7 +114,7 @@ void SeriesWriter::append(vtkPolyData* surface, double time)
   {
     make_folder(folder_ / "frames");
   }
-  const auto timed = with_time(surface, time);
+  const auto timed = with_time(triangulated(surface, name_), time);
   write_mesh(timed, folder_ / frame_name(index, ".vtu"));
   const Frame frame = to_frame(timed, time);
   replace_file(folder_ / frame_name(index, ".h5"), frame_file_image(frame));

@@ -6,8 +6,8 @@
 #include "solver/surface/Cotan.h"
 #include "solver/surface/FittedCurvature.h"
 #include "solver/membrane/HelfrichBending.h"
+#include "solver/mesh/BodyOrientation.h"
 #include "solver/mesh/Connectivity.h"
-#include "solver/mesh/MeshIntegrals.h"
 #include "solver/mesh/Topology.h"
 #include "solver/surface/Surface.h"
 
@@ -76,12 +76,37 @@ void drop_invalid(Eigen::VectorXd& values, Mask& valid)
   }
 }
 
-void flip(vesicle::Triangles& triangles)
+/// Seen from the middle of its box: what is computed of coordinates loses no digits far from the
+/// origin.
+void centre(TriangleMesh& mesh)
 {
-  for (Eigen::Index i = 0; i < triangles.rows(); ++i)
+  const Eigen::RowVector3d middle =
+    (mesh.points.colwise().minCoeff() + mesh.points.colwise().maxCoeff()) / 2;
+  mesh.points.rowwise() -= middle;
+}
+
+/// What is to be said of bodies that face inward; empty: nothing. A mesh of one body that does
+/// counts as facing outward without a word.
+std::string facing_text(const vesicle::BodyOrientation& orientation)
+{
+  std::string text;
+  const auto add = [&text](const std::string& sentence)
+  { text += (text.empty() ? "" : "; ") + sentence; };
+  for (std::size_t i = 0; i < orientation.bodies.size(); ++i)
   {
-    std::swap(triangles(i, 1), triangles(i, 2));
+    if (orientation.turned[i] && orientation.bodies.size() > 1)
+    {
+      add(to_text(orientation.bodies[i]) + " is inside out and counts as facing outward" +
+        (orientation.inner_side[i] ? ", as the inner side of a shell" : ""));
+    }
+    else if (orientation.inner_side[i])
+    {
+      add(to_text(orientation.bodies[i]) +
+        " lies in another and faces inward, as the inner side of a shell: its mean curvature is "
+        "that seen from within");
+    }
   }
+  return text;
 }
 
 vtkSmartPointer<vtkUnsignedCharArray> to_array(const char* name, const Mask& mask)
@@ -212,17 +237,22 @@ int vtkVesicleCurvatureFilter::RequestData(
       return 1;
     }
     TriangleMesh mesh = vesicle::to_mesh(output);
-    const vesicle::Topology topology = vesicle::topology(mesh);
-    if (!topology.oriented)
+    if (!vesicle::topology(mesh).oriented)
     {
       vtkWarningMacro(
         << "neighbouring triangles disagree on the orientation: signs of curvatures and "
            "normals mean little; use vtkPolyDataNormals with ConsistencyOn first");
     }
-    else if (this->OrientOutward && topology.closed && vesicle::flat_volume(mesh) < 0)
+    if (this->OrientOutward)
     {
-      flip(mesh.triangles);
+      vesicle::BodyOrientation orientation(mesh);
+      mesh.triangles = std::move(orientation.triangles);
+      if (const std::string text = facing_text(orientation); !text.empty())
+      {
+        vtkWarningMacro(<< text);
+      }
     }
+    centre(mesh);
     vesicle::use_double_points(output);
     vtkPointData* arrays = output->GetPointData();
     add_curvatures(mesh, this->Scheme, this->BendingRigidity, arrays);

@@ -21,9 +21,12 @@
  *
  * Sign: H is +1/R on a sphere of radius R with outward normals. Normals follow the orientation of
  * the triangles (counter-clockwise seen from where n points to), but for one case: a closed,
- * consistently oriented mesh that faces inward counts as facing outward while OrientOutward is on;
- * its triangles are left as they are. On an inconsistently oriented mesh the signs mean little, and
- * the filter warns (vtkPolyDataNormals with ConsistencyOn mends it).
+ * consistently oriented body that faces inward counts as facing outward while OrientOutward is on,
+ * if it lies in no other; its triangles are left as they are. Bodies within it are turned with it,
+ * so that a hollow ball's inner side stays one: it faces inward on purpose, with H < 0. Of several
+ * bodies the filter names those that it counts as turned and the inner sides in a warning. On an
+ * inconsistently oriented mesh the signs mean little, and the filter warns (vtkPolyDataNormals with
+ * ConsistencyOn mends it).
  *
  * Algorithm, scheme Fit (default): a quartic height function through each vertex and its neighbours
  * of two rings gives H, K and n; a second one of the fitted H gives Δ_s H. It converges on
@@ -112,7 +115,7 @@ public:
 
   ///@{
   /**
-   * Whether a closed mesh that faces inward counts as facing outward. Default: on.
+   * Whether closed bodies that face inward count as facing outward. Default: on.
    */
   vtkSetMacro(OrientOutward, bool);
   vtkGetMacro(OrientOutward, bool);

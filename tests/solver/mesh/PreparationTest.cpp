@@ -133,6 +133,24 @@ TEST(Preparation, NamesComponentsGenusAndSides)
   EXPECT_THAT(refusal(projective_plane()), AllOf(HasSubstr("one side only"), HasSubstr("edge ")));
 }
 
+// Neither remeshing nor merging helps against a handle.
+TEST(Preparation, NamesTheGenusBeforeWhatCouldBeMended)
+{
+  TriangleMesh ring = torus();
+  const Eigen::RowVector3i corners = ring.triangles.row(4);
+  ring.points.row(corners[0]) = 0.5 * (ring.points.row(corners[1]) + ring.points.row(corners[2]));
+  EXPECT_THAT(refusal(ring), HasSubstr("genus 1 (1 handle"));
+}
+
+TEST(Preparation, NamesTwoTrianglesThatCross)
+{
+  TriangleMesh mesh = sphere();
+  int top = 0;
+  mesh.points.col(2).maxCoeff(&top);
+  mesh.points(top, 2) -= 3; // through the other side
+  EXPECT_THAT(refusal(mesh), AllOf(HasSubstr("crosses itself: triangles "), HasSubstr("near (")));
+}
+
 TEST(Preparation, NamesDegenerateTriangles)
 {
   TriangleMesh repeated = sphere();
