@@ -1,6 +1,7 @@
 // vesicle curvature: the curvature filter on a mesh file.
 
 #include "apps/Commands.h"
+#include "apps/Warning.h"
 
 #include "solver/Errors.h"
 #include "vtkfilters/Filters/MeshFiles.h"
@@ -15,7 +16,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <iostream>
 #include <memory>
 
 namespace vesicle
@@ -43,12 +43,9 @@ vtkIdType undefined_vertices(vtkPolyData* surface)
   return undefined;
 }
 
-void warn(const std::string& mesh, const std::string& text)
+void warn_of(const std::string& mesh, const std::string& text)
 {
-  if (!text.empty())
-  {
-    std::cerr << "vesicle: " << mesh << ": " << text << '\n';
-  }
+  warn(text.empty() ? "" : mesh + ": " + text);
 }
 
 int write_curvature(const CurvatureOptions& options)
@@ -67,13 +64,13 @@ int write_curvature(const CurvatureOptions& options)
     {
       throw InputError(options.mesh + ": " + messages.first_error());
     }
-    warn(options.mesh, messages.first_warning());
+    warn_of(options.mesh, messages.first_warning());
   }
-  write_mesh(filter->GetOutput(), options.output);
+  warn(write_mesh(filter->GetOutput(), options.output));
   const vtkIdType undefined = undefined_vertices(filter->GetOutput());
   if (undefined > 0)
   {
-    warn(options.mesh,
+    warn_of(options.mesh,
       fmt::format("curvature is undefined at {} of {} vertices (open border, torn or "
                   "unused); see Curvature_Valid",
         undefined, surface->GetNumberOfPoints()));
@@ -91,7 +88,8 @@ void add_curvature_command(CLI::App& app, Action& action)
   command->add_option("mesh", options->mesh, "Mesh (.vtu .vtp .vtk .stl .ply .obj .off)")
     ->required();
   command
-    ->add_option("-o,--output", options->output, "File to write; .vtu, .vtp and .vtk hold arrays")
+    ->add_option(
+      "-o,--output", options->output, "File to write; .vtu, .vtp, .vtk and .ply hold arrays")
     ->required();
   command->add_option("--scheme", options->scheme, "How curvatures are found")
     ->check(CLI::IsMember({ "fit", "cotan", "loop" }))

@@ -2,6 +2,7 @@
 
 #include "apps/Commands.h"
 #include "apps/MeshReport.h"
+#include "apps/Warning.h"
 #include "apps/StandardOutput.h"
 
 #include "solver/surface/StartShape.h"
@@ -51,7 +52,7 @@ int make(ShapeOptions options, bool with_reduced_volume)
   const MeshReport report(mesh, basis);
   const auto surface = to_polydata(mesh);
   add_surface(basis, *report.reduced_volume, surface->GetFieldData());
-  write_mesh(surface, file);
+  warn(write_mesh(surface, file));
   print("{}\n{}", file, to_text(report));
   return exit_code::done;
 }

@@ -29,6 +29,15 @@ class Meshes(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "there are 4"):
             vesicle.make_mesh(points, triangles + 1)
 
+    def test_numbers_that_cannot_be(self):
+        points, triangles = tetrahedron
+        with self.assertRaisesRegex(ValueError, "must be integers"):
+            vesicle.make_mesh(points, numpy.asarray(triangles) + 0.5)
+        bad = numpy.array(points, dtype=float)
+        bad[2, 1] = numpy.nan
+        with self.assertRaisesRegex(ValueError, "point 2 is .*finite"):
+            vesicle.make_mesh(bad, triangles)
+
     def test_other_polygons_are_not_triangles(self):
         cube = vtkCubeSource()
         cube.Update()

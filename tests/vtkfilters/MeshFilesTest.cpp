@@ -9,7 +9,13 @@
 #include "tests/solver/support/FullDisk.h"
 #include "tests/support/TemporaryFolder.h"
 
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 
 #include <gtest/gtest.h>
 
@@ -39,7 +45,7 @@ std::string message_of_reading(const std::filesystem::path& file)
 
 bool holds_single_precision(const std::string& ending)
 {
-  return ending == ".stl" || ending == ".ply";
+  return ending == ".stl";
 }
 
 }
@@ -75,6 +81,58 @@ TEST_P(MeshFiles, AFullDiskIsAnIoErrorAndLeavesNothing)
 
 INSTANTIATE_TEST_SUITE_P(
   Endings, MeshFiles, testing::Values(".vtu", ".vtp", ".vtk", ".stl", ".ply", ".obj", ".off"));
+
+TEST(MeshFilesLosses, AreSaid)
+{
+  const TemporaryFolder folder;
+  TriangleMesh mesh = geodesic_sphere(2);
+  const auto surface = to_polydata(mesh);
+  const auto written = [&](const char* name) { return write_mesh(surface, folder / name); };
+  for (const char* name :
+    { "mesh.vtu", "mesh.vtp", "mesh.vtk", "mesh.stl", "mesh.ply", "mesh.obj" })
+  {
+    EXPECT_EQ(written(name), "") << name;
+  }
+  surface->GetPointData()->SetNormals(to_array("Normals", mesh.points));
+  surface->GetPointData()->AddArray(
+    to_array("Mean Curvature", Eigen::VectorXd(mesh.points.col(0))));
+  surface->GetPointData()->AddArray(to_array("Force", mesh.points));
+  surface->GetCellData()->AddArray(
+    to_array("Side", Eigen::VectorXd::LinSpaced(mesh.triangles.rows(), 0, 1)));
+  vtkNew<vtkStringArray> words;
+  words->SetName("Words");
+  words->InsertNextValue("vesicle");
+  surface->GetFieldData()->AddArray(words);
+  EXPECT_NE(written("mesh.stl").find("can't hold Normals, Mean Curvature, Force, Side, Words;"),
+    std::string::npos)
+    << written("mesh.stl");
+  EXPECT_NE(written("mesh.off").find("Force"), std::string::npos);
+  EXPECT_NE(
+    written("mesh.obj").find("can't hold Mean Curvature, Force, Side, Words;"), std::string::npos);
+  EXPECT_NE(written("mesh.ply").find("can't hold Words; .vtu"), std::string::npos);
+  EXPECT_NE(written("mesh.vtu").find("can't hold Words; .vtp"), std::string::npos);
+  EXPECT_EQ(written("mesh.vtp"), "");
+  const auto back = read_mesh(folder / "mesh.ply");
+  ASSERT_NE(back->GetPointData()->GetArray("Mean_Curvature"), nullptr);
+  EXPECT_EQ(
+    back->GetPointData()->GetArray("Mean_Curvature")->GetComponent(7, 0), mesh.points(7, 0));
+  ASSERT_NE(back->GetPointData()->GetArray("Force"), nullptr);
+  EXPECT_EQ(back->GetPointData()->GetArray("Force")->GetComponent(7, 2), mesh.points(7, 2));
+  ASSERT_NE(back->GetPointData()->GetNormals(), nullptr);
+  ASSERT_NE(back->GetCellData()->GetArray("Side"), nullptr);
+  EXPECT_EQ(back->GetCellData()->GetArray("Side")->GetComponent(mesh.triangles.rows() - 1, 0), 1);
+}
+
+TEST(MeshFilesLosses, OfShapeFarFromTheOriginAreSaid)
+{
+  const TemporaryFolder folder;
+  TriangleMesh mesh = geodesic_sphere(2);
+  mesh.points.array() += 1e6;
+  EXPECT_NE(
+    write_mesh(to_polydata(mesh), folder / "far.stl").find("single precision"), std::string::npos);
+  EXPECT_EQ(write_mesh(to_polydata(mesh), folder / "far.ply"), "");
+  EXPECT_EQ(to_mesh(read_mesh(folder / "far.ply")).points, mesh.points);
+}
 
 TEST(MeshFilesErrors, SayWhatIsWrong)
 {

@@ -60,6 +60,9 @@ VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> triangulated(
 VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> triangulated(
   const SurfaceFile& file, const std::string& name);
 
+/// A triangulated surface with all its arrays that have numbers or text.
+VESICLEFILTERS_EXPORT SurfaceFile to_surface_file(vtkPolyData* triangles);
+
 /// A triangulated surface without what other pieces of it have, too, or what is hidden: cells that
 /// vtkGhostType marks as DUPLICATECELL or HIDDENCELL, or with a point that is a HIDDENPOINT. The
 /// points stay.

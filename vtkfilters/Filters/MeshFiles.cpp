@@ -10,19 +10,23 @@
 #include "solver/mesh/io/ObjFile.h"
 #include "solver/mesh/io/OffFile.h"
 #include "solver/mesh/io/PlyFile.h"
+#include "solver/mesh/io/PlyWriter.h"
 #include "solver/mesh/io/StlFile.h"
 
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkErrorCode.h"
+#include "vtkFieldData.h"
 #include "vtkNew.h"
-#include "vtkPLYWriter.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataWriter.h"
-#include "vtkSTLWriter.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkXMLPolyDataWriter.h"
 #include "vtkXMLUnstructuredGridWriter.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -101,67 +105,126 @@ void write_with(Writer* writer, vtkDataObject* data, const path& file)
 }
 
 template<class Writer>
-void write_xml(vtkDataObject* data, const path& file)
+std::string write_xml(vtkDataObject* data, const path& file)
 {
   vtkNew<Writer> writer;
   writer->SetHeaderTypeToUInt64();
   // Inline: meshio misreads some raw appended files, depending on how their arrays compress.
   writer->SetDataModeToBinary();
   write_with(writer.Get(), data, file);
+  return "";
 }
 
-void write_legacy(vtkPolyData* surface, const path& file)
+std::string write_legacy(vtkPolyData* surface, const path& file)
 {
   vtkNew<vtkPolyDataWriter> writer;
   writer->SetFileTypeToBinary();
   write_with(writer.Get(), surface, file);
+  return "";
 }
 
-/// For writers that can't write to memory: to the unfinished name, then the file gets its own. Not
-/// all of them notice a full disk, but the file then has fewer bytes than its numbers take.
-template<class Writer>
-void write_binary(vtkPolyData* surface, const path& file, vtkIdType least_bytes)
+/// What a format can't hold, in one sentence; empty: it holds all.
+std::string loss(const path& file, const std::vector<std::string>& arrays, const char* remedy)
 {
-  const VtkMessages messages;
-  const path unfinished = unfinished_name(file);
-  vtkNew<Writer> writer;
-  writer->SetFileTypeToBinary();
-  writer->SetInputData(surface);
-  writer->SetFileName(unfinished.c_str());
-  try
+  return arrays.empty()
+    ? ""
+    : fmt::format("{}: can't hold {}; {}", file.string(), fmt::join(arrays, ", "), remedy);
+}
+
+constexpr const char* keeps_all = ".vtu, .vtp and .vtk files do";
+
+std::vector<std::string> names_of(vtkFieldData* arrays)
+{
+  std::vector<std::string> names;
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
   {
-    require_written(writer->Write() != 0, writer.Get(), messages, file);
-    std::error_code unknown;
-    const auto bytes = std::filesystem::file_size(unfinished, unknown);
-    if (!unknown && bytes < static_cast<std::uintmax_t>(least_bytes))
-    {
-      throw IoError(file.string() + ": can't be written: no space left");
-    }
+    const char* name = arrays->GetAbstractArray(i)->GetName();
+    names.emplace_back(name ? name : "(an array without a name)");
   }
-  catch (const IoError&)
+  return names;
+}
+
+/// All arrays but, for whom it keeps them, the normals.
+std::vector<std::string> all_names(vtkPolyData* surface, bool without_normals = false)
+{
+  std::vector<std::string> names = names_of(surface->GetPointData());
+  if (vtkDataArray* normals = surface->GetPointData()->GetNormals(); normals && without_normals)
   {
-    std::error_code ignored;
-    if (unfinished != file)
-    {
-      std::filesystem::remove(unfinished, ignored);
-    }
-    throw;
+    std::erase(names, normals->GetName() ? normals->GetName() : "");
   }
-  finish_file(file);
+  for (vtkFieldData* data :
+    { static_cast<vtkFieldData*>(surface->GetCellData()), surface->GetFieldData() })
+  {
+    const auto more = names_of(data);
+    names.insert(names.end(), more.begin(), more.end());
+  }
+  return names;
 }
 
-void write_stl(vtkPolyData* surface, const path& file)
+/// Shape is lost where coordinates are rounded by more than this part of the surface's size.
+constexpr double harmless_rounding = 1e-6;
+
+std::string rounding_loss(const path& file, const Points& points)
 {
-  write_binary<vtkSTLWriter>(surface, file, 50 * surface->GetNumberOfPolys());
+  if (points.rows() == 0)
+  {
+    return "";
+  }
+  const double size = (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
+  const double rounding = (points - points.cast<float>().cast<double>()).cwiseAbs().maxCoeff();
+  return rounding <= harmless_rounding * size
+    ? ""
+    : fmt::format("{}: holds single precision, which rounds these coordinates by up to {:.2g}, "
+                  "{:.2g} of the surface's size; move it to the origin, or write .ply or .vtu",
+        file.string(), rounding, rounding / size);
 }
 
-void write_ply(vtkPolyData* surface, const path& file)
+std::string write_stl(vtkPolyData* surface, const path& file)
 {
-  write_binary<vtkPLYWriter>(
-    surface, file, 12 * surface->GetNumberOfPoints() + 13 * surface->GetNumberOfPolys());
+  const TriangleMesh mesh = to_mesh(surface);
+  replace_file(file, stl_bytes(mesh));
+  const std::string rounded = rounding_loss(file, mesh.points);
+  const std::string lost = loss(file, all_names(surface), keeps_all);
+  return rounded.empty() || lost.empty() ? rounded + lost : rounded + "\n" + lost;
 }
 
-void pieces_only(vtkPolyData*, const path& file)
+std::string write_ply(vtkPolyData* surface, const path& file)
+{
+  const PlyText ply = ply_text(to_surface_file(surface));
+  replace_file(file, ply.bytes);
+  return loss(file, ply.lost, keeps_all);
+}
+
+std::string write_obj(vtkPolyData* surface, const path& file)
+{
+  vtkDataArray* array = surface->GetPointData()->GetNormals();
+  const bool with_normals = array && array->GetNumberOfComponents() == 3;
+  Points normals(with_normals ? surface->GetNumberOfPoints() : 0, 3);
+  for (Eigen::Index i = 0; i < normals.rows(); ++i)
+  {
+    array->GetTuple(i, normals.row(i).data());
+  }
+  replace_file(file, obj_text(to_mesh(surface), normals));
+  return loss(file, all_names(surface, with_normals), keeps_all);
+}
+
+std::string write_off(vtkPolyData* surface, const path& file)
+{
+  replace_file(file, off_text(to_mesh(surface)));
+  return loss(file, all_names(surface), keeps_all);
+}
+
+/// Fields that aren't numbers are left out: other programs don't read files that have them.
+std::string write_grid(vtkPolyData* surface, const path& file)
+{
+  write_xml<vtkXMLUnstructuredGridWriter>(to_unstructured_grid(surface), file);
+  std::vector<std::string> lost = names_of(surface->GetFieldData());
+  std::erase_if(
+    lost, [&](const std::string& name) { return surface->GetFieldData()->GetArray(name.c_str()); });
+  return loss(file, lost, ".vtp and .vtk files do");
+}
+
+std::string pieces_only(vtkPolyData*, const path& file)
 {
   unreadable(file, "lists pieces and can only be read; meshes are written as one, .vtu or .vtp");
 }
@@ -169,30 +232,21 @@ void pieces_only(vtkPolyData*, const path& file)
 struct Format
 {
   std::function<Surface(const path&)> read;
-  std::function<void(vtkPolyData*, const path&)> write;
+  std::function<std::string(vtkPolyData*, const path&)> write; ///< returns what is lost
 };
 
 const std::map<std::string, Format>& formats()
 {
   static const std::map<std::string, Format> known{
-    { ".vtu",
-      { read_xml,
-        [](vtkPolyData* surface, const path& file)
-        { write_xml<vtkXMLUnstructuredGridWriter>(to_unstructured_grid(surface), file); } } },
+    { ".vtu", { read_xml, write_grid } },
     { ".vtp", { read_xml, write_xml<vtkXMLPolyDataWriter> } },
     { ".pvtu", { read_xml, pieces_only } },
     { ".pvtp", { read_xml, pieces_only } },
     { ".vtk", { read_by<read_legacy_vtk>, write_legacy } },
     { ".stl", { read_by<read_stl>, write_stl } },
     { ".ply", { read_by<read_ply>, write_ply } },
-    { ".obj",
-      { read_by<read_obj>,
-        [](vtkPolyData* surface, const path& file)
-        { replace_file(file, obj_text(to_mesh(surface))); } } },
-    { ".off",
-      { read_by<read_off>,
-        [](vtkPolyData* surface, const path& file)
-        { replace_file(file, off_text(to_mesh(surface))); } } },
+    { ".obj", { read_by<read_obj>, write_obj } },
+    { ".off", { read_by<read_off>, write_off } },
   };
   return known;
 }
@@ -228,9 +282,9 @@ vtkSmartPointer<vtkPolyData> read_mesh(const path& file)
   return surface;
 }
 
-void write_mesh(vtkPolyData* surface, const path& file)
+std::string write_mesh(vtkPolyData* surface, const path& file)
 {
-  format_of(file).write(surface, file);
+  return format_of(file).write(surface, file);
 }
 
 }

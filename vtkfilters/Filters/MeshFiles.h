@@ -6,21 +6,27 @@
 #include "vtkSmartPointer.h"
 
 #include <filesystem>
+#include <string>
 
 class vtkPolyData;
 
 namespace vesicle
 {
 
-/// Reads a surface and its arrays (of .obj and .off the points and faces alone); polygons and
-/// strips come out as triangles, points that an .stl file repeats are merged. Throws InputError
-/// naming the file, what is wrong and a remedy.
+/// Reads a surface and its arrays (of .obj, .off and .stl the points and faces alone), also
+/// .pvtu and .pvtp; polygons and strips come out as triangles, corners of an .stl file at the same
+/// place as one point. Points keep the file's precision. Throws InputError naming the file, what is
+/// wrong and a remedy, also for a file that ends early.
 VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> read_mesh(const std::filesystem::path& file);
 
-/// Writes a triangle surface; .vtu, .vtp and .vtk keep the arrays. Coordinates are kept to the last
-/// bit but for .stl and .ply, which hold single precision. The file appears when it is complete.
-/// Throws InputError for an unknown ending, IoError if it can't be written.
-VESICLEFILTERS_EXPORT void write_mesh(vtkPolyData* surface, const std::filesystem::path& file);
+/// Writes a triangle surface; .vtu, .vtp and .vtk keep the arrays (.vtu no fields of text, which
+/// other programs stop at), .ply the numbers of points and triangles, .obj the normals. Coordinates
+/// are kept to the last bit but for .stl, which holds single precision. The file appears when it is
+/// complete. Returns what it can't hold, arrays by name and shape that is lost by rounding, in a
+/// sentence; empty: nothing. Throws InputError for an unknown ending, IoError if it can't be
+/// written.
+VESICLEFILTERS_EXPORT std::string write_mesh(
+  vtkPolyData* surface, const std::filesystem::path& file);
 
 /// Throws InputError listing the endings unless the file's is one of them.
 VESICLEFILTERS_EXPORT void require_mesh_ending(const std::filesystem::path& file);

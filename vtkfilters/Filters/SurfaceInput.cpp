@@ -28,6 +28,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <type_traits>
 
@@ -296,6 +297,80 @@ vtkSmartPointer<vtkPoints> points_of(const SurfaceFile& file)
   return points;
 }
 
+/// VTK's numbers by their size: it has several types of the same.
+template<typename T>
+DataArray::Values values_of(vtkDataArray* array)
+{
+  const auto n = array->GetNumberOfValues();
+  const auto* first = static_cast<const T*>(array->GetVoidPointer(0));
+  const auto copied = [&](auto x)
+  { return DataArray::Values(std::vector<decltype(x)>(first, first + n)); };
+  if constexpr (std::is_floating_point_v<T>)
+    return copied(T());
+  else if constexpr (std::is_signed_v<T>)
+  {
+    if constexpr (sizeof(T) == 1)
+      return copied(std::int8_t());
+    else if constexpr (sizeof(T) == 2)
+      return copied(std::int16_t());
+    else if constexpr (sizeof(T) == 4)
+      return copied(std::int32_t());
+    else
+      return copied(std::int64_t());
+  }
+  else if constexpr (sizeof(T) == 1)
+    return copied(std::uint8_t());
+  else if constexpr (sizeof(T) == 2)
+    return copied(std::uint16_t());
+  else if constexpr (sizeof(T) == 4)
+    return copied(std::uint32_t());
+  else
+    return copied(std::uint64_t());
+}
+
+DataArray::Values values_of(vtkAbstractArray* array)
+{
+  if (auto* text = vtkStringArray::SafeDownCast(array))
+  {
+    std::vector<std::string> strings;
+    for (vtkIdType i = 0; i < text->GetNumberOfValues(); ++i)
+      strings.push_back(text->GetValue(i));
+    return strings;
+  }
+  auto* numbers = vtkDataArray::SafeDownCast(array);
+  if (!numbers)
+    return std::vector<std::string>();
+  if (numbers->GetDataType() == VTK_BIT)
+  {
+    std::vector<std::uint8_t> bits;
+    for (vtkIdType i = 0; i < numbers->GetNumberOfTuples(); ++i)
+      for (int k = 0; k < numbers->GetNumberOfComponents(); ++k)
+        bits.push_back(numbers->GetComponent(i, k) != 0);
+    return bits;
+  }
+  switch (numbers->GetDataType())
+  {
+    vtkTemplateMacro(return values_of<VTK_TT>(numbers));
+    default:
+      return std::vector<std::string>();
+  }
+}
+
+std::vector<DataArray> to_data_arrays(vtkFieldData* arrays)
+{
+  std::vector<DataArray> result;
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = arrays->GetAbstractArray(i);
+    DataArray copy;
+    copy.name = array->GetName() ? array->GetName() : "";
+    copy.components = array->GetNumberOfComponents();
+    copy.values = values_of(array);
+    result.push_back(std::move(copy));
+  }
+  return result;
+}
+
 /// Of a ghost array, whatever its type; 0 where there is none.
 bool is_marked(vtkDataArray* ghosts, vtkIdType i, int mask)
 {
@@ -334,6 +409,25 @@ vtkSmartPointer<vtkPolyData> triangulated(const SurfaceFile& file, const std::st
     field_data->AddArray(to_vtk(array));
   return with_triangles(points_of(file), point_data, cell_data, field_data,
     triangulate(file.points, file.polygons, name));
+}
+
+SurfaceFile to_surface_file(vtkPolyData* triangles)
+{
+  SurfaceFile file;
+  const TriangleMesh mesh = to_mesh(triangles);
+  file.points = mesh.points;
+  file.single_precision =
+    triangles->GetPoints() && triangles->GetPoints()->GetDataType() != VTK_DOUBLE;
+  for (const auto& row : mesh.triangles.rowwise())
+    file.polygons.add(std::array<std::int64_t, 3>{ row[0], row[1], row[2] }, file.polygons.size());
+  file.point_data = to_data_arrays(triangles->GetPointData());
+  file.cell_data = to_data_arrays(triangles->GetCellData());
+  file.field_data = to_data_arrays(triangles->GetFieldData());
+  for (DataArray& array : file.point_data)
+    if (vtkDataArray* normals = triangles->GetPointData()->GetNormals();
+        normals && normals->GetName() && array.name == normals->GetName())
+      array.role = DataArray::Role::normals;
+  return file;
 }
 
 vtkSmartPointer<vtkPolyData> without_ghosts(vtkPolyData* triangles)

@@ -9,6 +9,7 @@
 #include "vtkPolyData.h"
 
 #include <exception>
+#include <string>
 
 vtkStandardNewMacro(vtkVesicleMeshWriter);
 
@@ -34,8 +35,12 @@ void vtkVesicleMeshWriter::WriteData()
   }
   try
   {
-    vesicle::write_mesh(
+    const std::string lost = vesicle::write_mesh(
       vesicle::triangulated(vtkPolyData::SafeDownCast(this->GetInput())), this->FileName);
+    if (!lost.empty())
+    {
+      vtkWarningMacro(<< lost);
+    }
   }
   catch (const std::exception& error)
   {

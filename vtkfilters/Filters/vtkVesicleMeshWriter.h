@@ -3,8 +3,9 @@
  * @brief   triangle meshes to .vtu .vtp .vtk .stl .ply .obj and .off files
  *
  * Writes the surface of a vtkPolyData as triangles (polygons and strips are cut, vertices and lines
- * dropped); .vtu, .vtp and .vtk keep the arrays. Coordinates are kept to the last bit but for .stl
- * and .ply, which hold single precision. The file appears when it is complete. What can't be
+ * dropped); .vtu, .vtp and .vtk keep the arrays, .ply the numbers of points and triangles, .obj the
+ * normals. Coordinates are kept to the last bit but for .stl, which holds single precision. What the
+ * format can't hold is named in a warning. The file appears when it is complete. What can't be
  * written is reported as an error, and GetErrorCode() isn't 0 then.
  */
 

@@ -7,8 +7,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cctype>
+#include <cstring>
 
 namespace vesicle
 {
@@ -151,6 +154,32 @@ SurfaceFile read_stl(std::string_view bytes, const std::string& name)
       ? "ends too early, or is not an STL file"
       : "is not an STL file, or something follows it",
     facets, header_bytes + facet_bytes * facets, bytes.size()));
+}
+
+std::string stl_bytes(const TriangleMesh& mesh)
+{
+  std::string bytes = "binary STL";
+  bytes.resize(80, ' ');
+  const auto append = [&](auto value)
+  {
+    std::array<char, sizeof(value)> raw;
+    std::memcpy(raw.data(), &value, sizeof(value));
+    if constexpr (std::endian::native == std::endian::big)
+      std::reverse(raw.begin(), raw.end());
+    bytes.append(raw.data(), raw.size());
+  };
+  append(static_cast<std::uint32_t>(mesh.triangles.rows()));
+  for (int t = 0; t < mesh.triangles.rows(); ++t)
+  {
+    const auto triangle = corners(mesh, t);
+    const auto& [a, b, c] = triangle;
+    const Vector3 normal = (b - a).cross(c - a).normalized();
+    for (const Vector3& x : { normal, a, b, c })
+      for (const double coordinate : x)
+        append(static_cast<float>(coordinate));
+    append(std::uint16_t(0));
+  }
+  return bytes;
 }
 
 }

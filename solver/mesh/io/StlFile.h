@@ -15,4 +15,7 @@ namespace vesicle
 /// with the line of a text, or the lengths.
 SurfaceFile read_stl(std::string_view bytes, const std::string& name);
 
+/// Binary, which holds single precision.
+std::string stl_bytes(const TriangleMesh& mesh);
+
 }

@@ -33,12 +33,19 @@ def write_mesh(surface, file):
 
 def make_mesh(points, triangles):
     """A vtkPolyData of n points (array n × 3) and m triangles (array m × 3 of point numbers from 0,
-    counter-clockwise seen from outside). Copies both; points are kept in double precision."""
+    counter-clockwise seen from outside). Copies both; points are kept in double precision. Raises
+    ValueError for coordinates that aren't finite and for points that aren't there."""
     points = numpy.ascontiguousarray(points, dtype=numpy.float64)
-    triangles = numpy.ascontiguousarray(triangles, dtype=numpy.int64)
+    numbers = numpy.asarray(triangles)
+    if numbers.size and not numpy.issubdtype(numbers.dtype, numpy.integer):
+        raise ValueError(f"triangles must be integers, the numbers of points, not {numbers.dtype}")
+    triangles = numpy.ascontiguousarray(numbers, dtype=numpy.int64)
     if points.ndim != 2 or points.shape[1] != 3 or triangles.ndim != 2 or triangles.shape[1] != 3:
         raise ValueError(f"points and triangles must have 3 columns, not shapes {points.shape} "
                          f"and {triangles.shape}")
+    if not numpy.isfinite(points).all():
+        bad = int(numpy.flatnonzero(~numpy.isfinite(points).all(axis=1))[0])
+        raise ValueError(f"point {bad} is {tuple(points[bad])}: coordinates must be finite numbers")
     if triangles.size and not (0 <= triangles.min() and triangles.max() < len(points)):
         raise ValueError(f"triangles name points {triangles.min()} to {triangles.max()}, but there "
                          f"are {len(points)}, counted from 0")
