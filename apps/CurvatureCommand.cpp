@@ -4,6 +4,7 @@
 #include "apps/Warning.h"
 
 #include "solver/Errors.h"
+#include "vtkfilters/Filters/MeshConversion.h"
 #include "vtkfilters/Filters/MeshFiles.h"
 #include "vtkfilters/Filters/VtkMessages.h"
 
@@ -29,6 +30,7 @@ struct CurvatureOptions
   std::string output;
   std::string scheme = "fit";
   double rigidity = 1;
+  double merge = 0;
 };
 
 vtkIdType undefined_vertices(vtkPolyData* surface)
@@ -51,7 +53,11 @@ void warn_of(const std::string& mesh, const std::string& text)
 int write_curvature(const CurvatureOptions& options)
 {
   require_mesh_ending(options.output);
-  const auto surface = read_mesh(options.mesh);
+  auto surface = read_mesh(options.mesh);
+  if (options.merge > 0)
+  {
+    surface = merged(surface, options.merge);
+  }
   vtkNew<vtkVesicleCurvatureFilter> filter;
   filter->SetInputData(surface);
   filter->SetSchemeByName(options.scheme.c_str());
@@ -97,6 +103,8 @@ void add_curvature_command(CLI::App& app, Action& action)
   command->add_option("--bending-rigidity", options->rigidity, "EB, multiplies the force")
     ->check(CLI::NonNegativeNumber)
     ->capture_default_str();
+  command->add_option("--merge", options->merge, "Points nearer than this distance become one")
+    ->check(CLI::PositiveNumber);
   command->footer("Example: vesicle curvature cell.ply -o cell.vtu");
   command->callback(
     [options, &action] { action = [options] { return write_curvature(*options); }; });

@@ -27,18 +27,23 @@ namespace
 struct InfoOptions
 {
   std::string file;
+  double merge = 0;
   bool json = false;
 };
 
-MeshReport report_of(const std::filesystem::path& file)
+MeshReport report_of(const std::filesystem::path& file, double merge)
 {
-  const auto surface = without_ghosts(read_mesh(file));
+  auto surface = without_ghosts(read_mesh(file));
+  if (merge > 0)
+  {
+    surface = merged(surface, merge);
+  }
   return MeshReport(to_mesh(surface), surface_basis(surface->GetFieldData()));
 }
 
 void print_mesh(const InfoOptions& options)
 {
-  const MeshReport report = report_of(options.file);
+  const MeshReport report = report_of(options.file, options.merge);
   if (options.json)
   {
     print("{}\n", json_text(to_json(report), 2));
@@ -58,7 +63,7 @@ void print_series(const InfoOptions& options)
   }
   for (const auto& frame : read_series(options.file))
   {
-    const MeshReport r = report_of(frame.file);
+    const MeshReport r = report_of(frame.file, options.merge);
     if (options.json)
     {
       nlohmann::ordered_json entry{ { "time", frame.time }, { "file", frame.file.string() } };
@@ -89,6 +94,8 @@ void add_info_command(CLI::App& app, Action& action)
     ->add_option("mesh", options->file,
       "Mesh (.vtu .vtp .vtk .stl .ply .obj .off) or series (.pvd .vtu.series)")
     ->required();
+  command->add_option("--merge", options->merge, "Points nearer than this distance count as one")
+    ->check(CLI::PositiveNumber);
   command->add_flag("--json", options->json, "Print JSON");
   command->footer("Example: vesicle info cell.stl --json");
   command->callback(

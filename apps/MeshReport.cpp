@@ -4,6 +4,7 @@
 #include "solver/mesh/Connectivity.h"
 #include "solver/mesh/MeshInspection.h"
 #include "solver/mesh/MeshIntegrals.h"
+#include "solver/mesh/Seams.h"
 #include "solver/mesh/Topology.h"
 #include "solver/surface/SurfaceMeasures.h"
 #include "solver/scene/SceneNames.h"
@@ -61,7 +62,8 @@ MeshReport::MeshReport(TriangleMesh mesh, SurfaceBasis wanted)
   : vertices(used_vertices(mesh)), triangles(mesh.triangles.rows()),
     topology(vesicle::topology(mesh)),
     nonmanifold(MeshInspection(mesh).nonmanifold_place(mesh.points)),
-    self_crossing(find_self_crossing(mesh)), quality(mesh_quality(mesh))
+    self_crossing(find_self_crossing(mesh)), seam_gap(vesicle::seam_gap(mesh)),
+    quality(mesh_quality(mesh))
 {
   // One body that faces inward has a negative volume; of several, those inside out are turned.
   if (BodyOrientation orientation(mesh); orientation.bodies.size() > 1)
@@ -110,6 +112,11 @@ std::string surface_name(const MeshReport& r)
 std::string to_text(const MeshReport& r)
 {
   const bool inward = r.volume && *r.volume < 0;
+  const std::string closed = r.topology.closed ? "yes"
+    : !r.seam_gap
+    ? "no"
+    : fmt::format("no; corners of neighbouring triangles differ by up to {:.2g}: --merge {:.2g}",
+        *r.seam_gap, merge_distance(*r.seam_gap));
   const std::string oriented = !r.topology.oriented ? "no"
     : inward                                        ? "yes, inward"
     : r.facing.empty()                              ? "yes"
@@ -129,7 +136,7 @@ std::string to_text(const MeshReport& r)
                      "  energy / 8 pi EB {}\n"
                      "  smallest angle   {:.2f} degrees\n"
                      "  edge ratio       {:.3f}\n",
-    r.vertices, r.triangles, r.topology.closed ? "yes" : "no", oriented,
+    r.vertices, r.triangles, closed, oriented,
     r.nonmanifold.empty() ? "yes" : "no (" + r.nonmanifold + ")",
     r.self_crossing ? "yes (" + to_text(*r.self_crossing) + ")" : "no", r.topology.components,
     r.topology.genus ? std::to_string(*r.topology.genus)

@@ -29,6 +29,8 @@ struct MeshReport
   /// Of several bodies, those that are inside out, which are measured as facing outward, and those
   /// that are the inner side of a shell, whose volume is hollow; empty: none.
   std::string facing;
+  /// By which corners of neighbouring triangles differ along an open seam.
+  std::optional<double> seam_gap;
   MeshQuality quality; ///< of the triangles
   /// The surface that the following was measured on.
   SurfaceBasis basis = SurfaceBasis::linear;

@@ -5,6 +5,7 @@
 #include "solver/mesh/MeshIntegrals.h"
 #include "solver/mesh/PointHash.h"
 #include "solver/mesh/PolygonMesh.h"
+#include "solver/mesh/Seams.h"
 #include "solver/mesh/SelfCrossing.h"
 #include "solver/mesh/Topology.h"
 
@@ -129,6 +130,12 @@ void Preparation::check_edges() const
   }
   if (const int e = inspection_.first_border_edge(); e >= 0)
   {
+    if (const auto gap = seam_gap(mesh_))
+    {
+      fail("open border at {}: the corners of neighbouring triangles differ by up to {:.2g};"
+           " merge them: vesicle curvature MESH --merge {:.2g} -o merged.vtu",
+        place_of_edge(e), *gap, merge_distance(*gap));
+    }
     const int holes = inspection_.holes();
     fail("open border at {}: the mesh has {} hole{} and a vesicle none; close {} "
          "(vtkFillHolesFilter), or merge points along a seam (vtkCleanPolyData)",

@@ -68,6 +68,10 @@ VESICLEFILTERS_EXPORT SurfaceFile to_surface_file(vtkPolyData* triangles);
 /// points stay.
 VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> without_ghosts(vtkPolyData* triangles);
 
+/// A triangulated surface whose points nearer than `distance` (> 0) are one, with the values of the
+/// first; triangles that lose a corner by that are left out.
+VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> merged(vtkPolyData* triangles, double distance);
+
 /// Triangles as triangulated() makes them, without ghosts, and the points that they use, with all
 /// arrays.
 VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> membrane_of(

@@ -185,7 +185,7 @@ std::string write_stl(vtkPolyData* surface, const path& file)
   replace_file(file, stl_bytes(mesh));
   const std::string rounded = rounding_loss(file, mesh.points);
   const std::string lost = loss(file, all_names(surface), keeps_all);
-  return rounded.empty() || lost.empty() ? rounded + lost : rounded + "\n" + lost;
+  return rounded.empty() || lost.empty() ? rounded + lost : rounded + "; " + lost;
 }
 
 std::string write_ply(vtkPolyData* surface, const path& file)

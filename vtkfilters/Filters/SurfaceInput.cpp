@@ -3,6 +3,7 @@
 #include "MeshConversion.h"
 
 #include "solver/Errors.h"
+#include "solver/mesh/PointHash.h"
 #include "solver/mesh/PolygonMesh.h"
 #include "solver/mesh/Triangulation.h"
 #include "solver/mesh/io/CellTypes.h"
@@ -456,6 +457,41 @@ vtkSmartPointer<vtkPolyData> without_ghosts(vtkPolyData* triangles)
     kept.empty() ? nullptr : kept[0].data(), static_cast<Eigen::Index>(kept.size()), 3);
   return with_triangles(triangles->GetPoints(), triangles->GetPointData(), triangles->GetCellData(),
     triangles->GetFieldData(), left);
+}
+
+vtkSmartPointer<vtkPolyData> merged(vtkPolyData* triangles, double distance)
+{
+  const TriangleMesh mesh = to_mesh(triangles);
+  PointHash seen(distance);
+  vtkNew<vtkIdList> kept, numbers;
+  std::vector<std::int64_t> number(mesh.points.rows());
+  for (Eigen::Index i = 0; i < mesh.points.rows(); ++i)
+  {
+    const Vector3 x = (mesh.points.row(i) - mesh.points.row(0)).transpose();
+    const int twin = seen.find(x);
+    number[i] = twin >= 0 ? twin : kept->GetNumberOfIds();
+    if (twin < 0)
+    {
+      seen.insert(x, static_cast<int>(kept->GetNumberOfIds()));
+      numbers->InsertNextId(kept->GetNumberOfIds());
+      kept->InsertNextId(i);
+    }
+  }
+  Points points(kept->GetNumberOfIds(), 3);
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+    points.row(i) = mesh.points.row(kept->GetId(i));
+  PolygonList polygons;
+  for (int t = 0; t < mesh.triangles.rows(); ++t)
+  {
+    const auto row = mesh.triangles.row(t);
+    polygons.add(std::array{ number[row[0]], number[row[1]], number[row[2]] }, t);
+  }
+  vtkNew<vtkPointData> point_data;
+  point_data->CopyAllOn();
+  point_data->CopyAllocate(triangles->GetPointData(), points.rows());
+  point_data->CopyData(triangles->GetPointData(), kept, numbers);
+  return with_triangles(to_vtk_points(points), point_data, triangles->GetCellData(),
+    triangles->GetFieldData(), triangulate(points, polygons, "mesh"));
 }
 
 }

@@ -185,6 +185,22 @@ TEST(Preparation, NamesDuplicatePoints)
   EXPECT_THAT(refusal(nearly), HasSubstr("duplicate points 5 and 90 near ("));
 }
 
+TEST(Preparation, NamesASeamThatDiffersInTheLastDigits)
+{
+  const TriangleMesh joined = sphere();
+  TriangleMesh soup{ Points(3 * joined.triangles.rows(), 3),
+    Triangles(joined.triangles.rows(), 3) };
+  std::vector<int> copies(joined.points.rows(), 0);
+  for (int i = 0; i < joined.triangles.size(); ++i)
+  {
+    const int point = joined.triangles(i / 3, i % 3);
+    soup.points.row(i) = (1 + 1e-7 * copies[point]++) * joined.points.row(point);
+    soup.triangles(i / 3, i % 3) = i;
+  }
+  EXPECT_THAT(refusal(soup),
+    AllOf(HasSubstr("corners of neighbouring triangles differ by up to "), HasSubstr("--merge ")));
+}
+
 TEST(Preparation, NamesImpossibleNumbers)
 {
   TriangleMesh mesh = sphere();
