@@ -161,12 +161,18 @@ void FaultRuns::expect_told(const Fault& fault, const Outcome& outcome)
   EXPECT_TRUE(told || outcome.code == 0) << text;
 }
 
-void FaultRuns::expect_nothing_lost(const Fault& fault)
+void FaultRuns::expect_nothing_lost(const Fault& fault, const std::string& from)
 {
   ++tally_.faults;
   const auto folder = folder_ / "faulty";
   std::filesystem::remove_all(folder);
-  const auto broken = run("faulty", fault);
+  std::vector<std::string> way;
+  if (!from.empty())
+  {
+    std::filesystem::copy(folder_ / from, folder, std::filesystem::copy_options::recursive);
+    way.emplace_back("--resume");
+  }
+  const auto broken = run("faulty", fault, way);
   const std::string text = fault_text(fault, broken);
   expect_told(fault, broken);
   if (broken.code == 0)

@@ -40,13 +40,15 @@ public:
   /// `extra`: more arguments of `vesicle run`.
   explicit FaultRuns(std::vector<std::string> extra);
 
-  std::int64_t calls() const { return calls_; } ///< that an undisturbed run makes
+  std::int64_t calls() const { return calls_; }           ///< that an undisturbed run makes
+  std::int64_t last_calls() const { return last_calls_; } ///< that the last run made
   const Files& undisturbed() const { return undisturbed_; }
   const std::filesystem::path& folder() const { return folder_.path(); }
 
-  /// Makes a run with that fault, then goes on without it: expects an exit code and a message that
-  /// tell what happened, then the same files as without the fault.
-  void expect_nothing_lost(const Fault& fault);
+  /// Makes a run with that fault, or goes on with a copy of the one in `from`; then goes on without
+  /// the fault: expects an exit code and a message that tell what happened, then the same files as
+  /// without the fault.
+  void expect_nothing_lost(const Fault& fault, const std::string& from = {});
   const Tally& tally() const { return tally_; }
 
   /// The run in a folder of that name, on a failing disk or a sound one.

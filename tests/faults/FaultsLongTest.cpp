@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <iostream>
 
 namespace vesicle::test
@@ -12,14 +13,16 @@ namespace vesicle::test
 namespace
 {
 
-void expect_nothing_lost_from(std::int64_t first, FaultRuns& runs)
+/// From the call `first` to `last`, of a run or of going on with the one in the folder `from`.
+void expect_nothing_lost(
+  FaultRuns& runs, std::int64_t first, std::int64_t last, const std::string& from = {})
 {
-  for (std::int64_t call = first; call <= runs.calls(); ++call)
+  for (std::int64_t call = first; call <= last; ++call)
   {
     for (Fault fault : kinds_of_faults())
     {
       fault.call = call;
-      runs.expect_nothing_lost(fault);
+      runs.expect_nothing_lost(fault, from);
     }
   }
   std::cout << text_of(runs.tally()) << '\n';
@@ -30,7 +33,7 @@ void expect_nothing_lost_from(std::int64_t first, FaultRuns& runs)
 TEST(FaultsLong, OfAnyCallLoseNothing)
 {
   FaultRuns runs({ "--no-movie", "--no-plots" });
-  expect_nothing_lost_from(1, runs);
+  expect_nothing_lost(runs, 1, runs.calls());
 }
 
 TEST(FaultsLong, OfAnyCallLoseNeitherPicturesNorFilm)
@@ -38,7 +41,18 @@ TEST(FaultsLong, OfAnyCallLoseNeitherPicturesNorFilm)
   const std::int64_t without = FaultRuns({ "--no-movie", "--no-plots" }).calls();
   constexpr std::int64_t last_calls = 5; // those after the pictures are made, and some
   FaultRuns runs({ "--no-plots" });
-  expect_nothing_lost_from(without - last_calls, runs);
+  expect_nothing_lost(runs, without - last_calls, runs.calls());
+}
+
+TEST(FaultsLong, OfAnyCallOfAResumedRunLoseNothing)
+{
+  FaultRuns runs({ "--no-movie", "--no-plots" });
+  const Fault halfway{ runs.calls() * 2 / 3, "kill", false };
+  ASSERT_EQ(runs.run("halfway", halfway).code, 128 + SIGKILL);
+  std::filesystem::copy(
+    runs.folder() / "halfway", runs.folder() / "undone", std::filesystem::copy_options::recursive);
+  ASSERT_EQ(runs.run("undone", {}, { "--resume" }).code, 0);
+  expect_nothing_lost(runs, 1, runs.last_calls(), "halfway");
 }
 
 // Killed at any call, --overwrite leaves the old run or one that --resume goes on with.
