@@ -250,6 +250,15 @@ void write_page(const RenderOptions& options, const Subject& subject)
   write_html_page(options.html, page);
 }
 
+/// Films, figures and pages have one format each: another ending would promise another.
+void require_ending(const path& file, const char* ending, const char* what)
+{
+  if (!file.empty() && file.extension() != ending)
+  {
+    throw InputError(fmt::format("{}: {} that end in {}", file.string(), what, ending));
+  }
+}
+
 int draw(const RenderOptions& options)
 {
   spdlog::set_level(spdlog::level::warn);
@@ -259,6 +268,9 @@ int draw(const RenderOptions& options)
       "render: say what to write: pictures with -o FOLDER, a figure with --montage FILE, "
       "a page with --html FILE");
   }
+  require_ending(options.mp4, ".mp4", "--mp4 writes films");
+  require_ending(options.montage, ".png", "--montage writes pictures");
+  require_ending(options.html, ".html", "--html writes pages");
   if (options.folder.empty() && !options.mp4.empty())
   {
     throw InputError("--mp4 is made of pictures: give a folder for them with -o");

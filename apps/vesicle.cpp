@@ -6,16 +6,20 @@
 #include "solver/Doing.h"
 #include "solver/Errors.h"
 #include "solver/dynamics/Blas.h"
+#include "solver/scene/NearestName.h"
 
 #include "vtkLogger.h"
 #include "vtkOutputWindow.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <iostream>
 #include <string>
 #include <system_error>
+#include <vector>
 
 namespace vesicle
 {
@@ -73,6 +77,25 @@ int checked_output(int code)
   return reason != 0 && code == exit_code::done ? exit_code::io : code;
 }
 
+/// A first word that is no command is told with the command that was probably meant.
+void require_command(const CLI::App& app, int argc, char** argv)
+{
+  if (argc < 2 || argv[1][0] == '-')
+    return;
+  std::vector<std::string> known;
+  for (const CLI::App* command : app.get_subcommands({}))
+    known.push_back(command->get_name());
+  const std::string name = argv[1];
+  if (std::find(known.begin(), known.end(), name) != known.end())
+    return;
+  const std::string nearest = nearest_name(name, known);
+  std::string commands;
+  for (const std::string& command : known)
+    commands += " " + command;
+  throw InputError(fmt::format("there is no command '{}'{}; commands:{}", name,
+    nearest.empty() ? "" : fmt::format(", did you mean '{}'?", nearest), commands));
+}
+
 /// VTK would log every message, also those that are caught and told in our own words.
 void use_output_window_only()
 {
@@ -96,7 +119,12 @@ int run_command_line(int argc, char** argv)
   add_validate_command(app, action);
   try
   {
+    require_command(app, argc, argv);
     app.parse(argc, argv);
+  }
+  catch (const InputError& error)
+  {
+    return fail(error, exit_code::bad_input);
   }
   catch (const CLI::ParseError& outcome)
   {

@@ -12,6 +12,8 @@
 
 #include <cstdlib>
 
+#include <dlfcn.h>
+
 namespace vesicle
 {
 
@@ -19,6 +21,29 @@ std::string environment(const char* name)
 {
   const char* value = std::getenv(name);
   return value ? value : "";
+}
+
+bool screen_answers()
+{
+  static const bool answers = []
+  {
+    if (environment("DISPLAY").empty())
+    {
+      return false;
+    }
+    void* x11 = dlopen("libX11.so.6", RTLD_LAZY | RTLD_LOCAL);
+    const auto open =
+      x11 ? reinterpret_cast<void* (*)(const char*)>(dlsym(x11, "XOpenDisplay")) : nullptr;
+    const auto close =
+      x11 ? reinterpret_cast<int (*)(void*)>(dlsym(x11, "XCloseDisplay")) : nullptr;
+    void* display = open && close ? open(nullptr) : nullptr;
+    if (display)
+    {
+      close(display);
+    }
+    return display != nullptr;
+  }();
+  return answers;
 }
 
 namespace
@@ -99,11 +124,14 @@ OffscreenWindows choose()
     }
     failures += wanted(way.backend) ? why_not + "; " : "";
   }
-  if (wanted("x") && !environment("DISPLAY").empty())
+  if (wanted("x") && screen_answers())
   {
     return { "X", failures };
   }
-  return { "", failures + "no X server (DISPLAY is not set)" };
+  const std::string display = environment("DISPLAY");
+  return { "",
+    failures + "no X server (" +
+      (display.empty() ? "DISPLAY is not set" : "nothing answers at DISPLAY " + display) + ")" };
 }
 
 #endif

@@ -27,7 +27,7 @@ bool vtkVesicleOffscreen::Use()
 
 bool vtkVesicleOffscreen::UseWithoutScreen()
 {
-  const bool screen = !vesicle::environment("DISPLAY").empty();
+  const bool screen = vesicle::screen_answers();
   const bool asked_for = !vesicle::environment("VESICLE_RENDER_BACKEND").empty();
   return (screen && !asked_for) || vtkVesicleOffscreen::Use();
 }

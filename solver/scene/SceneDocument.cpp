@@ -6,6 +6,8 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <iterator>
+#include <sstream>
 #include <string_view>
 
 namespace vesicle
@@ -77,6 +79,33 @@ std::vector<std::pair<std::string, const toml::node*>> in_file_order(const toml:
   return nodes;
 }
 
+/// What a line of a file begins with: "key" of key = value, "[table]"; empty for others.
+std::string beginning_of(std::string line)
+{
+  std::erase_if(line, [](char c) { return c == ' ' || c == '\t' || c == '"' || c == '\r'; });
+  return line.starts_with('[') ? line.substr(0, line.find(']') + 1)
+                               : line.substr(0, line.find('='));
+}
+
+/// Of a parser's complaint that something is defined again: what, and both lines; else empty.
+std::string said_twice(const std::string& text, const std::string& complaint, int line)
+{
+  if (complaint.find("cannot redefine") == std::string::npos)
+    return {};
+  std::vector<std::string> beginnings;
+  std::istringstream lines(text);
+  for (std::string next; static_cast<int>(beginnings.size()) < line && std::getline(lines, next);)
+    beginnings.push_back(beginning_of(next));
+  if (static_cast<int>(beginnings.size()) < line)
+    return {};
+  const std::string again = beginnings.back();
+  const auto before = std::find(std::next(beginnings.rbegin()), beginnings.rend(), again);
+  if (before == beginnings.rend())
+    return {};
+  return fmt::format(
+    "'{}' is in line {} already; allowed: each once", again, beginnings.rend() - before);
+}
+
 void add_table(SceneDocument& document, const std::string& name, const toml::table& table)
 {
   const auto place = [&](const toml::node& node) { return line_of(node, document.name); };
@@ -101,9 +130,13 @@ SceneDocument parse_file(const std::string& text, const std::string& name)
   }
   catch (const toml::parse_error& error)
   {
+    const int line = static_cast<int>(error.source().begin.line);
+    if (const std::string twice = said_twice(text, std::string(error.description()), line);
+        !twice.empty())
+      throw InputError(fmt::format("{}:{}: {}", name, line, twice));
     throw InputError(
-      fmt::format("{}:{}: not valid TOML: {}; allowed: [table] and key = value lines", name,
-        error.source().begin.line, error.description()));
+      fmt::format("{}:{}: not valid TOML: {}; allowed: [table] and key = value lines", name, line,
+        error.description()));
   }
   return document;
 }

@@ -69,6 +69,13 @@ TEST_F(RunErrors, UnknownKeyNamesTheNearest)
   EXPECT_TRUE(nothing_written());
 }
 
+TEST_F(RunErrors, UnknownCommandNamesTheNearest)
+{
+  const auto outcome = vesicle_command(folder.path(), { "rum", "pear.toml" });
+  EXPECT_EQ(outcome.code, 2);
+  expect_mentions(outcome, "no command 'rum', did you mean 'run'?");
+}
+
 TEST_F(RunErrors, UnknownMovieColourIsToldBeforeTheRun)
 {
   const auto outcome =

@@ -204,6 +204,10 @@ TEST_F(RunOutput, RenderTakesGuidesAndChartsFromTheRun)
   EXPECT_EQ(render({ "-o", "p", "--view", "above" }).code, 2);
   EXPECT_EQ(render({}).code, 2); // nothing to write
   EXPECT_EQ(render({ "--mp4", "film.mp4" }).code, 2);
+  // A format is what its ending says.
+  EXPECT_EQ(render({ "-o", "p", "--mp4", "film.gif" }).code, 2);
+  EXPECT_EQ(render({ "--montage", "figure.pdf" }).code, 2);
+  EXPECT_FALSE(std::filesystem::exists(*folder / "film.gif"));
 }
 
 TEST_F(RunOutput, MontageShowsShapesAtTheirTimes)

@@ -170,6 +170,19 @@ class Curvature(unittest.TestCase):
         self.assertEqual(array.GetValue(0), 7)
 
 
+    def test_what_update_gave_stays_what_it_was(self):
+        source = sphere()
+        curvature = connected(vesicle.vtkVesicleCurvatureFilter(), source)
+        before = vesicle.update(curvature)
+        points, mean = before.Points, before.PointData["Mean_Curvature"]
+        kept = points.copy(), mean.copy()
+        source.SetRadius(3)
+        vesicle.update(curvature)
+        del before
+        numpy.testing.assert_array_equal(points, kept[0])
+        numpy.testing.assert_array_equal(mean, kept[1])
+
+
 class Stepper(unittest.TestCase):
     def test_same_time_same_shape_through_a_pipeline(self):
         stepper = small_shear()

@@ -105,6 +105,10 @@ class WithoutAScreen(unittest.TestCase):
                     subprocess.run([sys.executable, "-c", LEAVES_A_WINDOW + how], check=True,
                                    timeout=60)
 
+    def test_a_display_that_nothing_answers_at_is_no_screen(self):
+        subprocess.run([sys.executable, "-c", LEAVES_A_WINDOW], check=True, timeout=60,
+                       env={**os.environ, "DISPLAY": ":4711"})
+
     def test_a_missing_array_is_named_with_those_there_are(self):
         with self.assertRaisesRegex(ValueError, "'Tension'; there are: .*Mean_Curvature"):
             View(color="Tension").show(curved_sphere())

@@ -67,7 +67,7 @@ std::string in_time(const std::string& lines)
 const std::vector<Case> cases{
   { "syntax", "[vesicle]\nshape = = 3\n", { "s.toml:2: not valid TOML", "allowed:" } },
   { "twice", "[vesicle]\nshape = \"sphere\"\nshape = \"sphere\"\n",
-    { "s.toml:3: not valid TOML" } },
+    { "s.toml:3: 'shape' is in line 2 already" } },
   { "empty", "",
     { "s.toml:1: key 'vesicle.shape': is missing; allowed: \"sphere\", \"prolate\"" } },
 
@@ -183,6 +183,11 @@ const std::vector<Case> cases{
     { "s.toml:3: key 'vesicle.modes': can't be -2; allowed: an integer >= 0" } },
   { "modes_real_degree", with_time("[vesicle]\nshape = \"perturbed\"\nmodes = [[2.5, 0, 0.1]]"),
     { "s.toml:3: key 'vesicle.modes': must be an integer, is the number 2.5" } },
+
+  { "key_twice", with_sphere("[fluid]\nviscosity = 1\nviscosity = 2"),
+    { "s.toml:5: 'viscosity' is in line 4 already; allowed: each once" } },
+  { "table_twice", with_sphere("[fluid]\nviscosity = 1\n[ fluid ]\nviscosity = 2"),
+    { "s.toml:5: '[fluid]' is in line 3 already; allowed: each once" } },
 
   { "bending_negative", with_sphere("[membrane]\nbending_rigidity = -1"),
     { "s.toml:4: key 'membrane.bending_rigidity': can't be -1; allowed: a number > 0; leave the "

@@ -18,9 +18,9 @@ def update(algorithm, time=None):
     """Brings an algorithm, and what is before it in the pipeline, up to date.
 
     time: the time asked for; None: whatever the pipeline has.
-    Returns the output wrapped by vtkmodules.numpy_interface.dataset_adapter: Points, PointData["…"],
-    CellData["…"] and FieldData["…"] are numpy arrays that share the memory of VTK's;
-    PointData.append(array, name) adds one; VTKObject is the vtkPolyData itself.
+    Returns a copy of the output, which stays what it is whatever the algorithm does next, wrapped by
+    vtkmodules.numpy_interface.dataset_adapter: Points, PointData["…"], CellData["…"] and FieldData["…"]
+    are numpy arrays; PointData.append(array, name) adds one; VTKObject is the vtkPolyData itself.
     Raises Error with the first error of any algorithm, whose output is then not to be used, but for
     the last good state that vtkVesicleStepper has when no step can be made. Ctrl-C ends a simulation after
     the step that it is at, and the next update goes on from there. Warnings of VTK become RuntimeWarnings.
@@ -30,7 +30,10 @@ def update(algorithm, time=None):
             algorithm.Update()
         else:
             algorithm.UpdateTimeStep(time)
-    return dataset_adapter.WrapDataObject(algorithm.GetOutputDataObject(0))
+    output = algorithm.GetOutputDataObject(0)
+    copy = output.NewInstance()
+    copy.DeepCopy(output)
+    return dataset_adapter.WrapDataObject(copy)
 
 
 def times(algorithm):
