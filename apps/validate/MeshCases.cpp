@@ -7,6 +7,7 @@
 #include "solver/simulation/StartMesh.h"
 #include "solver/stokes/StokesOperator.h"
 #include "solver/surface/LoopBasis.h"
+#include "solver/surface/StartShape.h"
 #include "solver/surface/Surface.h"
 #include "solver/surface/SurfaceMeasures.h"
 #include "solver/mesh/shapes/Shapes.h"
@@ -179,8 +180,7 @@ TriangleMesh irregular_start(const Scene& scene)
   Scene from_file = scene;
   from_file.vesicle.mesh_triangles = scene.vesicle.shape.triangles;
   from_file.vesicle.mesh_radius = scene.vesicle.radius;
-  const Eigen::Vector3d axis = scene.vesicle.axis;
-  const Eigen::AngleAxisd turn(Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), axis));
+  const Eigen::AngleAxisd turn(turn_z_to(scene.vesicle.axis));
   from_file.vesicle.rotation = std::array{ turn.axis()[0], turn.axis()[1], turn.axis()[2],
     turn.angle() * 180 / std::numbers::pi };
   std::string notes;

@@ -14,6 +14,8 @@ namespace
 {
 constexpr double reduced_volume_tolerance = 1e-7;
 constexpr int max_corrections = 12;
+// z of a unit vector that is −z but for rounding.
+constexpr double half_turn = -1 + 1e-12;
 }
 
 // make_shape gives the reduced volume to the flat triangles; the request is shifted until it holds
@@ -44,7 +46,14 @@ TriangleMesh make_start_shape(const ShapeRequest& request, SurfaceBasis basis)
 
 Eigen::Matrix3d turn_z_to(const Vector3& axis)
 {
-  return Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), axis).toRotationMatrix();
+  const Vector3 to = axis.normalized();
+  const double s = std::sqrt((1 + to.z()) * 2), inverse = 1 / s;
+  // What Quaterniond::FromTwoVectors does, which would compile a singular value decomposition to find
+  // an axis of the half turn to −z.
+  const Eigen::Quaterniond turn = to.z() < half_turn
+    ? Eigen::Quaterniond(0, -1, 0, 0)
+    : Eigen::Quaterniond(0.5 * s, -to.y() * inverse, to.x() * inverse, 0);
+  return turn.toRotationMatrix();
 }
 
 void place(TriangleMesh& shape, double radius, const Eigen::Matrix3d& turn, const Vector3& center)
