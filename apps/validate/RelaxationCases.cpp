@@ -2,11 +2,11 @@
 
 #include "apps/validate/Cases.h"
 #include "apps/validate/Runs.h"
+#include "solver/mesh/LeastSquares.h"
 #include "solver/mesh/shapes/Shapes.h"
 #include "solver/mesh/shapes/SphericalHarmonics.h"
 #include "solver/simulation/StartMesh.h"
 
-#include <Eigen/QR>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -37,7 +37,7 @@ Eigen::VectorXd modes_of(Simulation& simulation, const State& state)
       harmonics(i, l) = real_spherical_harmonic(l, 0, x.normalized());
     }
   }
-  return harmonics.colPivHouseholderQr().solve(radius);
+  return least_squares(harmonics, radius).value();
 }
 
 // du_l/dt = −Γ_l (l − 1)(l + 2)[l(l + 1) + σ] u_l, the tension σ such that the area stays: u2, u4

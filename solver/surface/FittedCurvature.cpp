@@ -1,9 +1,9 @@
 #include "solver/surface/FittedCurvature.h"
 
 #include "solver/mesh/Connectivity.h"
+#include "solver/mesh/LeastSquares.h"
 #include "solver/mesh/VertexNormals.h"
 
-#include <Eigen/QR>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -235,14 +235,11 @@ bool fit_height(const Neighbourhood& patch, const Vector3& normal, int degree, H
   Eigen::MatrixXd A = patch.weight.asDiagonal() * monomials(local, degree);
   const Eigen::VectorXd scale = A.colwise().norm().cwiseMax(1e-300);
   A = A * scale.cwiseInverse().asDiagonal(); // needles: x and y of very different lengths
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> qr; // pivoted; least norm for degree 1
-  qr.setThreshold(rank_threshold);
-  qr.compute(A);
-  if (degree > 1 && qr.rank() < A.cols())
+  const auto [inverse, rank] = least_norm(A, patch.weight.asDiagonal(), rank_threshold);
+  if (degree > 1 && rank < A.cols())
   {
     return false;
   }
-  const Eigen::MatrixXd inverse = qr.solve(Eigen::MatrixXd(patch.weight.asDiagonal()));
   const Eigen::VectorXd z = patch.size * heights(local, degree);
   fit.operation = derivatives(degree, patch.size) * scale.cwiseInverse().asDiagonal() * inverse;
   fit.slope = fit.operation * z;

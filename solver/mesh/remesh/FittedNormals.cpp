@@ -1,9 +1,9 @@
 #include "solver/mesh/remesh/FittedNormals.h"
 
 #include "solver/mesh/Connectivity.h"
+#include "solver/mesh/LeastSquares.h"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -73,6 +73,23 @@ std::vector<int> NormalFit::two_ring(int i) const
   return ring;
 }
 
+/// The principal axes of points in the plane, by their second moments, each divided by the extent
+/// along it: points times this spread by one in all directions.
+Eigen::Matrix2d unit_spread(const Eigen::Matrix2d& moments)
+{
+  // What SelfAdjointEigenSolver::compute does with a matrix of two rows, which is tridiagonal as it
+  // is; it would compile the way there for seconds.
+  const double largest = std::max({ moments(0, 0), std::abs(moments(1, 0)), moments(1, 1) });
+  const double scale = largest > 0 ? largest : 1;
+  const Eigen::Vector2d diagonal = moments.diagonal() / scale;
+  const Eigen::Vector<double, 1> below(moments(1, 0) / scale);
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
+  solver.computeFromTridiagonal(diagonal, below);
+  const Eigen::Vector2d squares = solver.eigenvalues() * scale;
+  return solver.eigenvectors() *
+    squares.cwiseMax(1e-12 * squares[1]).cwiseSqrt().cwiseInverse().asDiagonal();
+}
+
 /// Least squares for w = c0 s + c1 t + c2 s² + c3 s t + c4 t² in the coordinates s, t along the
 /// ring's principal axes, scaled by its extents, so that long thin rings are fitted as well as
 /// round ones; w is the height above the average normal's plane. Near points count more: weight
@@ -89,24 +106,18 @@ Vector3 NormalFit::normal(int i) const
   plane.col(1) = up.cross(plane.col(0));
   const Points offsets = mesh_.points(ring, Eigen::all).rowwise() - mesh_.points.row(i);
   const Eigen::Matrix<double, Eigen::Dynamic, 2> flat = offsets * plane;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> spread(flat.transpose() * flat / count);
-  const Eigen::Matrix2d scale = spread.eigenvectors() *
-    spread.eigenvalues()
-      .cwiseMax(1e-12 * spread.eigenvalues()[1])
-      .cwiseSqrt()
-      .cwiseInverse()
-      .asDiagonal();
+  const Eigen::Matrix2d scale = unit_spread(flat.transpose() * flat / count);
   const Eigen::Matrix<double, Eigen::Dynamic, 2> st = flat * scale;
   Eigen::Matrix<double, Eigen::Dynamic, 5> terms(count, 5);
   terms << st, st.col(0).array().square().matrix(), st.col(0).cwiseProduct(st.col(1)),
     st.col(1).array().square().matrix();
   const Eigen::ArrayXd weight = st.rowwise().norm().array().max(1e-6).inverse();
   const Eigen::VectorXd heights = offsets * up;
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> fit(weight.matrix().asDiagonal() * terms);
-  if (fit.rank() < 5)
+  const auto coefficients =
+    least_squares(weight.matrix().asDiagonal() * terms, weight * heights.array());
+  if (!coefficients)
     return up;
-  const Eigen::VectorXd coefficients = fit.solve((weight * heights.array()).matrix());
-  const Vector3 fitted = (up - plane * scale * coefficients.head<2>()).normalized();
+  const Vector3 fitted = (up - plane * scale * coefficients->head<2>()).normalized();
   return fitted.dot(up) >= trusted_turn ? fitted : up;
 }
 }
