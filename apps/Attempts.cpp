@@ -1,8 +1,7 @@
 #include "apps/Attempts.h"
 
 #include "solver/Errors.h"
-
-#include <fmt/format.h>
+#include "solver/Joined.h"
 
 namespace vesicle
 {
@@ -11,7 +10,7 @@ void Attempts::require_success() const
 {
   if (!failures_.empty())
   {
-    throw IoError(fmt::format("{}", fmt::join(failures_, "\n")));
+    throw IoError(joined(failures_, "\n"));
   }
 }
 

@@ -1,5 +1,6 @@
 #include "apps/CsvFile.h"
 
+#include "solver/Joined.h"
 #include "solver/dynamics/Diagnostics.h"
 #include "solver/files/FileBytes.h"
 
@@ -14,7 +15,7 @@ namespace
 
 std::string header()
 {
-  return fmt::format("{}\n", fmt::join(Diagnostics::names(), ","));
+  return joined(Diagnostics::names(), ",") + '\n';
 }
 
 std::string line_of(const Row& row)

@@ -199,7 +199,7 @@ void make_film(const MovieSettings& settings, int count, MovieReport& report)
   }
   else
   {
-    spdlog::info("{}", report.note);
+    spdlog::info(report.note);
   }
 }
 

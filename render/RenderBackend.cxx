@@ -5,6 +5,7 @@
 #include "vtkNew.h"
 #include "vtkRenderWindow.h"
 
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <sstream>
@@ -41,15 +42,16 @@ RenderBackend choose()
   }
   if (!windows.failures.empty())
   {
-    spdlog::warn("{}using {} instead", windows.failures, windows.name);
+    spdlog::warn(windows.failures + "using " + windows.name + " instead");
   }
   vtkNew<vtkRenderWindow> probe;
   probe->SetOffScreenRendering(1);
   probe->SetSize(16, 16);
   probe->Render();
   RenderBackend backend{ windows.name, probe->GetClassName(), gl_renderer(probe) };
-  spdlog::info(
-    "drawing off-screen with {} ({}, {})", backend.name, backend.gl_renderer, backend.window_class);
+  // spdlog's own formatting would compile fmt's anew.
+  spdlog::info(fmt::format("drawing off-screen with {} ({}, {})", backend.name, backend.gl_renderer,
+    backend.window_class));
   return backend;
 }
 

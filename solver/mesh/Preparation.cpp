@@ -1,6 +1,7 @@
 #include "solver/mesh/Preparation.h"
 
 #include "solver/Errors.h"
+#include "solver/Joined.h"
 #include "solver/mesh/MeshInspection.h"
 #include "solver/mesh/MeshIntegrals.h"
 #include "solver/mesh/PointHash.h"
@@ -10,7 +11,6 @@
 #include "solver/mesh/Topology.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -287,7 +287,7 @@ std::string prepare_for_dynamics(TriangleMesh& mesh, const std::string& name)
   preparation.check_crossing();
   changes.push_back(preparation.drop_unused_points());
   std::erase(changes, "");
-  return changes.empty() ? "" : fmt::format("{}: {}", name, fmt::join(changes, "; "));
+  return changes.empty() ? "" : fmt::format("{}: {}", name, joined(changes, "; "));
 }
 
 }

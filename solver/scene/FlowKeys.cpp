@@ -1,10 +1,11 @@
 // The keys of [flow]: they are what the kinds of flow say of themselves (flow/FlowKinds.h).
 
+#include "solver/Joined.h"
 #include "solver/flow/FlowKinds.h"
 #include "solver/scene/SceneRules.h"
 #include "solver/scene/SceneSchema.h"
 
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -84,7 +85,7 @@ SceneKey type_key(const std::string& name)
   key.help = "which one, and along which axes";
   key.read = [](const TableReader&, Scene&) {};
   key.write = [](const Scene& scene) { return to_toml(scene.flow->kind().type); };
-  return key.with({ name }).required(fmt::format("{}", fmt::join(described, ", ")));
+  return key.with({ name }).required(joined(described, ", "));
 }
 
 const char* unit_of(Dimension dimension)

@@ -1,13 +1,13 @@
 #include "solver/scene/SceneFile.h"
 
 #include "solver/Errors.h"
+#include "solver/Joined.h"
 #include "solver/scene/NearestName.h"
 #include "solver/scene/SceneDocument.h"
 #include "solver/scene/SceneSchema.h"
 #include "solver/scene/TableReader.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <fstream>
@@ -47,7 +47,7 @@ void check_tables(const SceneDocument& document)
       const std::string nearest = nearest_name(table.name, names);
       top.fail_at(table.where, table.name,
         "unknown table" + (nearest.empty() ? "" : fmt::format(", did you mean [{}]?", nearest)),
-        fmt::format("name, [{}]", fmt::join(names, "], [")));
+        fmt::format("name, [{}]", joined(names, "], [")));
     }
   std::vector<std::string> keys = scene_schema().front().names();
   for (const auto& name : names)

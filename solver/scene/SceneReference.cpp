@@ -1,9 +1,9 @@
 #include "solver/scene/SceneReference.h"
 
+#include "solver/Joined.h"
 #include "solver/scene/SceneSchema.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace vesicle
 {
@@ -44,8 +44,7 @@ std::string default_of(const SceneTable& table, const SceneKey& key)
     return "—"; // one or another must be given, as the table's help says
   const std::string text =
     key.left_out.empty() ? fmt::format("`{}`", key.write(example(table, key))) : key.left_out;
-  return key.missing ? fmt::format("{}; required by {}", text, fmt::join(key.needed_by, ", "))
-                     : text;
+  return key.missing ? fmt::format("{}; required by {}", text, joined(key.needed_by, ", ")) : text;
 }
 
 /// By name, or all but some where these are fewer.
@@ -56,8 +55,7 @@ std::string variants_of(const SceneTable& table, const SceneKey& key)
     (key.goes_with(name) ? with : without).push_back(name);
   if (without.empty())
     return "all";
-  return without.size() < with.size() ? fmt::format("all but {}", fmt::join(without, ", "))
-                                      : fmt::format("{}", fmt::join(with, ", "));
+  return without.size() < with.size() ? "all but " + joined(without, ", ") : joined(with, ", ");
 }
 
 std::string row(const SceneTable& table, const SceneKey& key)
@@ -68,7 +66,7 @@ std::string row(const SceneTable& table, const SceneKey& key)
   for (const std::string& cell :
     { key.allowed, default_of(table, key), key.unit.empty() ? "—" : key.unit, key.help })
     cells.push_back(in_cell(cell));
-  return fmt::format("| {} |\n", fmt::join(cells, " | "));
+  return fmt::format("| {} |\n", joined(cells, " | "));
 }
 
 std::string section(const SceneTable& table)

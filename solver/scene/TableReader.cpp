@@ -1,10 +1,10 @@
 #include "solver/scene/TableReader.h"
 
 #include "solver/Errors.h"
+#include "solver/Joined.h"
 #include "solver/scene/NearestName.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ bool contains(const std::vector<std::string>& names, const std::string& name)
 
 std::string listed(const std::vector<std::string>& names)
 {
-  return fmt::format("{}", fmt::join(names, ", "));
+  return joined(names, ", ");
 }
 
 /// ` did you mean …?` for a key (quote ') or a word (quote "), if one of them is near.
@@ -37,7 +37,7 @@ std::string suggestion(const std::string& name, const std::vector<std::string>& 
 
 std::string in_quotes(const std::vector<std::string>& words)
 {
-  return fmt::format("\"{}\"", fmt::join(words, "\", \""));
+  return fmt::format("\"{}\"", joined(words, "\", \""));
 }
 
 Vector3 unit_direction(const Vector3& v)

@@ -1,9 +1,9 @@
 #include "solver/mesh/shapes/ShapeRequest.h"
 
 #include "solver/Errors.h"
+#include "solver/Joined.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
@@ -33,7 +33,7 @@ ShapeRequest::Kind shape_kind(const std::string& name)
     known.emplace_back(text);
   }
   throw InputError(
-    fmt::format("there is no shape '{}': choose one of {}", name, fmt::join(known, ", ")));
+    fmt::format("there is no shape '{}': choose one of {}", name, joined(known, ", ")));
 }
 
 std::string shape_name(ShapeRequest::Kind kind)

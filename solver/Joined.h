@@ -1,0 +1,25 @@
+#pragma once
+// Lists as text.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vesicle
+{
+
+/// The words, one after the other with the separator between them; fmt::join would compile fmt's
+/// formatting of strings anew in each file.
+inline std::string joined(const std::vector<std::string>& words, std::string_view separator)
+{
+  std::string text;
+  for (const std::string& word : words)
+  {
+    if (&word != &words.front())
+      text += separator;
+    text += word;
+  }
+  return text;
+}
+
+}
