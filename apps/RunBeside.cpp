@@ -28,7 +28,7 @@ std::string run_name(const path& series)
 std::optional<Scene> scene_of(const path& summary)
 {
   std::ifstream in(summary);
-  const auto json = nlohmann::json::parse(in, nullptr, false);
+  const auto json = nlohmann::ordered_json::parse(in, nullptr, false);
   if (!json.is_object() || !json.contains("settings") || !json["settings"].is_string())
   {
     return std::nullopt;
