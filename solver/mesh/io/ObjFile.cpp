@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 
 namespace vesicle
 {
@@ -116,17 +115,16 @@ SurfaceFile read_obj(std::string_view text, const std::string& name)
 std::string obj_text(const TriangleMesh& mesh, const Points& normals)
 {
   std::string text;
-  const auto out = std::back_inserter(text);
   for (const auto& p : mesh.points.rowwise())
-    fmt::format_to(out, "v {} {} {}\n", p[0], p[1], p[2]);
+    text += fmt::format("v {} {} {}\n", p[0], p[1], p[2]);
   for (const auto& n : normals.rowwise())
-    fmt::format_to(out, "vn {} {} {}\n", n[0], n[1], n[2]);
+    text += fmt::format("vn {} {} {}\n", n[0], n[1], n[2]);
   for (const auto& triangle : mesh.triangles.rowwise())
   {
     text += 'f';
     for (const int corner : triangle)
-      normals.rows() > 0 ? fmt::format_to(out, " {}//{}", corner + 1, corner + 1)
-                         : fmt::format_to(out, " {}", corner + 1);
+      text += normals.rows() > 0 ? fmt::format(" {}//{}", corner + 1, corner + 1)
+                                 : fmt::format(" {}", corner + 1);
     text += '\n';
   }
   return text;

@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
-
 namespace vesicle
 {
 namespace
@@ -123,7 +121,7 @@ std::string off_points(const TriangleMesh& mesh)
 {
   std::string text;
   for (const auto& p : mesh.points.rowwise())
-    fmt::format_to(std::back_inserter(text), "{} {} {}\n", p[0], p[1], p[2]);
+    text += fmt::format("{} {} {}\n", p[0], p[1], p[2]);
   return text;
 }
 
@@ -147,7 +145,7 @@ std::string off_text(const TriangleMesh& mesh)
   std::string text = fmt::format("OFF\n{} {} 0\n", mesh.points.rows(), mesh.triangles.rows());
   text += off_points(mesh);
   for (const auto& t : mesh.triangles.rowwise())
-    fmt::format_to(std::back_inserter(text), "3 {} {} {}\n", t[0], t[1], t[2]);
+    text += fmt::format("3 {} {} {}\n", t[0], t[1], t[2]);
   return text;
 }
 
