@@ -8,6 +8,10 @@
 #include "solver/simulation/StartMesh.h"
 #include "solver/simulation/SystemOfScene.h"
 #include "solver/mesh/Preparation.h"
+#include "solver/mesh/SelfCrossing.h"
+#include "solver/Errors.h"
+
+#include <fmt/format.h>
 
 #include <fmt/format.h>
 
@@ -27,6 +31,17 @@ std::optional<double> fixed_step(const Scene& scene, const Scales& scales)
   if (scene.time.step)
     return *scene.time.step / scales.time();
   return {};
+}
+
+// Nothing in the equations keeps a membrane from passing through itself, and what follows means
+// nothing. Seen from output time to output time, it costs nothing beside the steps.
+void require_no_crossing(const TriangleMesh& mesh, double time)
+{
+  if (const auto crossing = find_self_crossing(mesh))
+    throw NumericalError(
+      fmt::format("t = {}: the membrane passes through itself, {} in units of r0. Take more "
+                  "triangles, or a milder flow, load or deflation.",
+        time, to_text(*crossing)));
 }
 
 std::string joined(std::initializer_list<std::string> notes)
@@ -140,7 +155,10 @@ void Simulation::require_own(const State& state) const
 
 State Simulation::step(const State& state)
 {
-  return impl_->evolution.step(state);
+  State after = impl_->evolution.step(state);
+  if (schedule().due(after))
+    require_no_crossing({ after.vesicles[0].points, triangles() }, after.time);
+  return after;
 }
 
 bool Simulation::finished(const State& state)

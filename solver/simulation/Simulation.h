@@ -43,7 +43,8 @@ public:
   State instant();
   /// Throws InputError unless the state is one of this mesh (a file's may have changed since).
   void require_own(const State& state) const;
-  /// One accepted step. Throws NumericalError if there is none; `state` is then still valid.
+  /// One accepted step. Throws NumericalError if there is none, or if the membrane passes through
+  /// itself at an output time; `state` is then still valid.
   State step(const State& state);
   /// True at the scene's end time, or when the shape is steady (end = "steady").
   bool finished(const State& state);
