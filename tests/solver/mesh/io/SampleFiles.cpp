@@ -181,9 +181,10 @@ std::string vtk_sample(const Points& points, const Faces& faces, const std::stri
 
 std::string binary_vtk_sample(const Points& points, const Faces& faces, bool offsets)
 {
-  std::string bytes = std::string("# vtk DataFile Version ") + (offsets ? "5.1" : "3.0") +
-    "\nmade by hand\nBINARY\nDATASET POLYDATA\nPOINTS " + std::to_string(points.rows()) +
-    " float\n";
+  std::string bytes = "# vtk DataFile Version ";
+  bytes += offsets ? "5.1" : "3.0";
+  bytes += "\nmade by hand\nBINARY\nDATASET POLYDATA\nPOINTS ";
+  bytes += std::to_string(points.rows()) + " float\n";
   for (const double x : points.reshaped<Eigen::RowMajor>())
     append(bytes, static_cast<float>(x), std::endian::big);
   const std::size_t corners = list_size(faces) - faces.size();
