@@ -108,17 +108,17 @@ Layout fitted_layout(
   return layout;
 }
 
-struct Survey
+struct PanelSurvey
 {
   Framing framing;
   RangeFinder values;
   double speed = 0;
 };
 
-Survey survey_panels(const std::vector<vtkSmartPointer<vtkPolyData>>& panels,
+PanelSurvey survey_panels(const std::vector<vtkSmartPointer<vtkPolyData>>& panels,
   const PictureSettings& picture, const View& view)
 {
-  Survey survey;
+  PanelSurvey survey;
   for (const auto& surface : panels)
   {
     survey.framing.include(surface, view);
@@ -272,7 +272,7 @@ void write_montage(const std::filesystem::path& file,
   check_range(picture.range);
   render_backend();
   const View view = View::named(picture.view);
-  const Survey survey = survey_panels(panels, picture, view);
+  const PanelSurvey survey = survey_panels(panels, picture, view);
   const auto count = static_cast<int>(panels.size());
   const Layout layout =
     fitted_layout(count, survey.framing, picture.axes || !picture.guides.empty(), settings.size);

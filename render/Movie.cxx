@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 /// shorter: at rest there is nothing to see but noise.
 constexpr double least_arrow_speed = 0.01;
 
-struct Survey
+struct FrameSurvey
 {
   Framing framing;
   RangeFinder values;
@@ -85,10 +85,10 @@ void for_each_frame(int count, const FrameName& name, Work&& work)
   }
 }
 
-Survey survey_frames(
+FrameSurvey survey_frames(
   const FrameSource& frames, int count, const FrameName& name, const MovieSettings& settings)
 {
-  Survey survey;
+  FrameSurvey survey;
   Passage passage;
   const PictureSettings& picture = settings.picture;
   const View view = View::named(picture.view);
@@ -211,7 +211,7 @@ MovieReport draw_movie(const FrameSource& frames, int count, const FrameName& na
     throw InputError("a movie needs at least one frame");
   }
   PictureSettings of_picture = settings.picture;
-  const Survey survey = survey_frames(frames, count, name, settings);
+  const FrameSurvey survey = survey_frames(frames, count, name, settings);
   // Reading the files gathered the times, unless one has none.
   const bool timed = times.size() == static_cast<std::size_t>(count);
   of_picture.range = of_picture.range.value_or(survey.values.range());

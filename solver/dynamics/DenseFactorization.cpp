@@ -1,10 +1,10 @@
 #include "solver/dynamics/DenseFactorization.h"
 
 #include "solver/Errors.h"
+#include "solver/ParallelFor.h"
 
 #include <cblas.h>
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +46,7 @@ void DenseFactorization::compute(Matrix matrix)
       throw NumericalError(fmt::format("linear system: row {} of {} is zero or not finite", i, n));
     row_scale_[i] = 1 / row_scale_[i];
   }
-  tbb::parallel_for(0, n, [&](int j) { lu_.col(j).array() *= row_scale_.array(); });
+  parallel_for(n, [&](int j) { lu_.col(j).array() *= row_scale_.array(); });
 
   pivot_.assign(n, 0);
   float* a = lu_.data();
@@ -74,7 +74,7 @@ void DenseFactorization::compute(Matrix matrix)
     for (int j = 0; j < k; ++j)
       exchange_rows(at(0, j), pivot_, k, next);
     const int tasks = (n - next + task_width - 1) / task_width;
-    tbb::parallel_for(0, tasks,
+    parallel_for(tasks,
       [&](int task)
       {
         const int begin = next + task * task_width;

@@ -1,11 +1,11 @@
 #include "solver/dynamics/StageSystem.h"
 
 #include "solver/Errors.h"
+#include "solver/ParallelFor.h"
 #include "solver/dynamics/Gmres.h"
 #include "solver/dynamics/Preconditioner.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <cmath>
 
@@ -169,7 +169,7 @@ Eigen::MatrixXf StageSystem::dense() const
   {
     const StageBlock& block = blocks_[b];
     if (block.columns)
-      tbb::parallel_for(Eigen::Index(0), X.rows(),
+      parallel_for(X.rows(),
         [&](Eigen::Index i)
         {
           X.row(i).segment(first_[b], block.count) =
@@ -198,7 +198,7 @@ Eigen::MatrixXf StageSystem::dense() const
     const StageBlock& block = blocks_[b];
     const auto& [control, weight, functional] = block.rows;
     const Eigen::Ref<const RowsF> velocities = slice(block.vesicle);
-    tbb::parallel_for(Eigen::Index(0), block.size,
+    parallel_for(block.size,
       [&](Eigen::Index i)
       {
         auto row = matrix.row(first_[b] + i);

@@ -7,7 +7,7 @@ namespace vesicle
 namespace
 {
 
-FlowKind make_description()
+FlowKind poiseuille_description()
 {
   FlowParameter velocity =
     flow_parameter("velocity", Dimension::velocity, &Poiseuille::velocity, "the speed on the axis");
@@ -29,7 +29,7 @@ FlowKind make_description()
 
 const FlowKind& Poiseuille::description()
 {
-  static const FlowKind kind = make_description();
+  static const FlowKind kind = poiseuille_description();
   return kind;
 }
 

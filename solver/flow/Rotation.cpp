@@ -7,7 +7,7 @@ namespace vesicle
 namespace
 {
 
-FlowKind make_description()
+FlowKind rotation_description()
 {
   const FlowParameter rate =
     flow_parameter("rate", Dimension::rate, &Rotation::rate, "angle over time, right-handed");
@@ -22,7 +22,7 @@ FlowKind make_description()
 
 const FlowKind& Rotation::description()
 {
-  static const FlowKind kind = make_description();
+  static const FlowKind kind = rotation_description();
   return kind;
 }
 

@@ -1,6 +1,6 @@
 #include "solver/stokes/FarSum.h"
 
-#include <tbb/parallel_for.h>
+#include "solver/ParallelFor.h"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@ void add_direct_sum(const ForceSources& sources, const Points& targets, Points& 
 {
   constexpr int lanes = stokeslet_lanes;
   const int n = static_cast<int>(targets.rows());
-  tbb::parallel_for(0, (n + lanes - 1) / lanes,
+  parallel_for((n + lanes - 1) / lanes,
     [&](int group)
     {
       const int first = group * lanes, count = std::min(lanes, n - first);

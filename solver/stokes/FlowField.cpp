@@ -1,9 +1,9 @@
 #include "solver/stokes/FlowField.h"
 
+#include "solver/ParallelFor.h"
 #include "solver/stokes/StokesletKernel.h"
 
 #include <Eigen/LU>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -194,7 +194,7 @@ FlowField::Flow FlowField::at(const Points& points) const
 {
   const int n = static_cast<int>(points.rows());
   Flow flow{ Points(n, 3), std::vector<unsigned char>(n) };
-  tbb::parallel_for(0, (n + lanes - 1) / lanes,
+  parallel_for((n + lanes - 1) / lanes,
     [&](int group) { at_group(points, group * lanes, std::min(lanes, n - group * lanes), flow); });
   return flow;
 }

@@ -1,9 +1,7 @@
 #include "solver/stokes/StokesOperator.h"
 
+#include "solver/ParallelFor.h"
 #include "solver/stokes/StokesletKernel.h"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -164,17 +162,16 @@ struct FramedPoints
       twice_mean(2 * mean_curvature(table, at.surface, control))
   {
     const SurfacePoints& surface = at.surface;
-    tbb::parallel_for(tbb::blocked_range<int>(0, table.rows(), 256),
-      [&](const auto& block)
+    parallel_for(
+      table.rows(),
+      [&](int q)
       {
-        for (int q = block.begin(); q < block.end(); ++q)
-        {
-          const double J = surface.cross.row(q).norm();
-          normal.row(q) = surface.cross.row(q) / J;
-          dual_u.row(q) = surface.tangent_v.row(q).cross(normal.row(q)) / J;
-          dual_v.row(q) = normal.row(q).cross(surface.tangent_u.row(q)) / J;
-        }
-      });
+        const double J = surface.cross.row(q).norm();
+        normal.row(q) = surface.cross.row(q) / J;
+        dual_u.row(q) = surface.tangent_v.row(q).cross(normal.row(q)) / J;
+        dual_v.row(q) = normal.row(q).cross(surface.tangent_u.row(q)) / J;
+      },
+      256);
   }
 
   SurfaceSources sources(const BasisTable& table, const LayerPoints& at) const
@@ -219,7 +216,7 @@ void StokesOperator::for_each_group(
 {
   const LayerRules& rules = *surfaces_[source].rules;
   for (int s = 0; s < static_cast<int>(surfaces_.size()); ++s)
-    tbb::parallel_for(0, group_count(surfaces_[s]),
+    parallel_for(group_count(surfaces_[s]),
       [&](int number)
       {
         const Group group(surfaces_[s], number);
@@ -357,7 +354,7 @@ Eigen::VectorXd StokesOperator::apply(std::span<const ForceDensity> densities) c
       own(rules.singular().table, singular, densities[s]);
     add_far_(far.sources, targets, velocity);
     const RuleSources<ForceSources> sources{ far.sources, close.sources, own.sources };
-    tbb::parallel_for(0, group_count(surfaces_[s]),
+    parallel_for(group_count(surfaces_[s]),
       [&](int number)
       {
         const Group group(surfaces_[s], number);
@@ -379,12 +376,8 @@ Eigen::VectorXd multiply(const DenseMatrix& A, const Eigen::VectorXd& x, Eigen::
   const double *a = A.data() + first, *in = x.data();
   double* out = y.data();
   const long columns = A.cols(), count = x.size();
-  tbb::parallel_for(tbb::blocked_range<long>(0, A.rows(), 64),
-    [=](const auto& rows)
-    {
-      for (long i = rows.begin(); i < rows.end(); ++i)
-        out[i] = dot(a + i * columns, in, count);
-    });
+  parallel_for(
+    A.rows(), [=](long i) { out[i] = dot(a + i * columns, in, count); }, 64L);
   return y;
 }
 

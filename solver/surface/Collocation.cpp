@@ -1,8 +1,7 @@
 #include "solver/surface/Collocation.h"
 
+#include "solver/ParallelFor.h"
 #include "solver/surface/SparseLU.h"
-
-#include <tbb/parallel_for.h>
 
 namespace vesicle
 {
@@ -84,7 +83,7 @@ void Collocation::to_control_roughly(Eigen::Ref<RowsF> velocities) const
   {
     const double next = 1 / (2 * sigma - rho);
     RowsF residual = velocities;
-    tbb::parallel_for(0, static_cast<int>(P_.rows()),
+    parallel_for(static_cast<int>(P_.rows()),
       [&](int i)
       {
         for (SparseMatrix::InnerIterator it(P_, i); it; ++it)

@@ -1,10 +1,9 @@
 #include "solver/surface/FittedCurvature.h"
 
+#include "solver/ParallelFor.h"
 #include "solver/mesh/Connectivity.h"
 #include "solver/mesh/LeastSquares.h"
 #include "solver/mesh/VertexNormals.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -323,7 +322,7 @@ FittedCurvature fitted_curvature(const TriangleMesh& mesh)
   result.border = fitter.border();
   Curvature& curvature = result.curvature;
   std::vector<VertexFit> fits(n);
-  tbb::parallel_for(0, n,
+  parallel_for(n,
     [&](int i)
     {
       const VertexFit& fit = fits[i] = fitter.fit(i);
@@ -333,7 +332,7 @@ FittedCurvature fitted_curvature(const TriangleMesh& mesh)
       result.residual[i] = fit.residual;
       result.degree[i] = fit.degree;
     });
-  tbb::parallel_for(0, n,
+  parallel_for(n,
     [&](int i)
     { curvature.laplacian_mean[i] = laplacian(fits[i], curvature.mean, curvature.mean[i]); });
   return result;

@@ -1,7 +1,6 @@
 #include "solver/surface/SurfaceIntegrals.h"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
+#include "solver/ParallelFor.h"
 
 #include <vector>
 
@@ -18,12 +17,7 @@ template<class Visit>
 void for_each_row(const BasisTable& table, Visit visit)
 {
   constexpr int grain = 256; // rows, some ten thousand operations
-  tbb::parallel_for(tbb::blocked_range<int>(0, table.rows(), grain),
-    [&](const auto& rows)
-    {
-      for (int q = rows.begin(); q < rows.end(); ++q)
-        visit(q);
-    });
+  parallel_for(table.rows(), visit, grain);
 }
 
 // Calls visit(row, entry) for every entry of the table, one after the other.

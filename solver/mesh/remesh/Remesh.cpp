@@ -26,8 +26,8 @@ constexpr int most_triangles = 200'000; // about a gigabyte of work space
 /// sphere through its corners.
 constexpr double allowed_distance = 0.3;
 /// Of the volume (the icosahedron: 0.4): a thin body could be lost within that distance.
-constexpr double allowed_loss = 0.5;
-constexpr double least_angle = 10; // degrees; dynamics are known to fail near 5
+constexpr double accepted_loss = 0.5;
+constexpr double accepted_angle = 10; // degrees; dynamics are known to fail near 5
 
 struct Distances
 {
@@ -103,19 +103,19 @@ void check_result(const RemeshReport& report, double distance)
 {
   const auto beginning = [&]
   { return fmt::format("{} triangles are too few for this mesh: ", report.triangles); };
-  if (!(distance <= allowed_distance) || !(report.volume_error >= -allowed_loss))
+  if (!(distance <= allowed_distance) || !(report.volume_error >= -accepted_loss))
   {
     throw InputError(beginning() +
       fmt::format("its points would be up to {:.2f} radii off the new surface (allowed: {}), which "
                   "would have {:.0f}% of its volume; raise triangles",
         distance, allowed_distance, 100 * (1 + report.volume_error)));
   }
-  if (!(report.quality.min_angle_deg >= least_angle))
+  if (!(report.quality.min_angle_deg >= accepted_angle))
   {
     throw InputError(beginning() +
       fmt::format("the smallest angle would be {:.1f}° (allowed: {}°) and its points up to {:.2f} "
                   "radii off the new surface; raise triangles",
-        report.quality.min_angle_deg, least_angle, distance));
+        report.quality.min_angle_deg, accepted_angle, distance));
   }
 }
 

@@ -13,15 +13,15 @@ namespace vesicle
 
 namespace
 {
-constexpr int fewest_triangles = 20; // the icosahedron
+constexpr int icosahedron_triangles = 20; // the icosahedron
 /// A closed mesh of genus 0 has at least twelve vertices with five neighbours if none has fewer.
 constexpr int fewest_extraordinary = 12;
 /// How many vertices of a coarse mesh get five or seven neighbours is chance: several are made.
 constexpr double starts[] = { 1, 1.2, 0.8 };
-constexpr int passes = 20; // after each refinement
+constexpr int smoothing_passes = 20; // after each refinement
 /// Triangles of a coarse mesh that doesn't resolve a tip or rim come out flatter, of all shapes
 /// tried.
-constexpr double least_angle = 38; // degrees
+constexpr double even_angle = 38; // degrees
 
 /// The vertices with five or seven neighbours; nothing if there are any with fewer or more.
 std::optional<int> extraordinary(const EditableMesh& mesh)
@@ -38,7 +38,7 @@ int coarse_count(int triangles, int refinements)
   const double pieces = std::pow(4, refinements);
   const int count = 2 * static_cast<int>(std::round(triangles / pieces / 2));
   const bool near = std::abs(count * pieces - triangles) <= allowed_deviation * triangles;
-  return near && count >= fewest_triangles ? count : 0;
+  return near && count >= icosahedron_triangles ? count : 0;
 }
 
 void refine_and_smooth(EditableMesh& mesh, const SurfaceSmoother& smoother, int refinements)
@@ -46,7 +46,7 @@ void refine_and_smooth(EditableMesh& mesh, const SurfaceSmoother& smoother, int 
   for (int level = 0; level < refinements; ++level)
   {
     refine(mesh, smoother.surface());
-    for (int pass = 0; pass < passes; ++pass)
+    for (int pass = 0; pass < smoothing_passes; ++pass)
       smoother.smooth(mesh);
   }
 }
@@ -65,7 +65,7 @@ std::optional<EditableMesh> best_mesh(const SurfaceSmoother& smoother, int coars
     if (count && *count < fewest)
     {
       refine_and_smooth(*mesh, smoother, refinements);
-      if (mesh->quality().min_angle_deg >= least_angle)
+      if (mesh->quality().min_angle_deg >= even_angle)
       {
         best = std::move(mesh);
         fewest = *count;
@@ -82,7 +82,7 @@ std::optional<EditableMesh> best_mesh(const SurfaceSmoother& smoother, int coars
 std::optional<EditableMesh> semi_regular_mesh(const SurfaceSmoother& smoother, int triangles)
 {
   int most_refinements = 0;
-  while (triangles >> 2 * (most_refinements + 1) >= fewest_triangles)
+  while (triangles >> 2 * (most_refinements + 1) >= icosahedron_triangles)
     ++most_refinements;
   for (int refinements = most_refinements; refinements >= 0; --refinements)
   {

@@ -1,10 +1,9 @@
 #include "solver/mesh/remesh/SurfaceSmoother.h"
 
+#include "solver/ParallelFor.h"
 #include "solver/mesh/Connectivity.h"
 #include "solver/mesh/MeshIntegrals.h"
 #include "solver/mesh/remesh/TriangleCount.h"
-
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -120,7 +119,7 @@ void SurfaceSmoother::find_nearest_vertices(EditableMesh& mesh) const
     }
     return nearest;
   };
-  tbb::parallel_for(std::size_t(0), samples_.size(),
+  parallel_for(samples_.size(),
     [&](std::size_t s)
     {
       int& nearest = mesh.references[s];
@@ -162,7 +161,7 @@ void SurfaceSmoother::move_without_folding(
   EditableMesh moved = mesh;
   for (int attempt = 0; attempt < attempts; ++attempt)
   {
-    tbb::parallel_for(0, vertices(mesh),
+    parallel_for(vertices(mesh),
       [&](int i)
       {
         const Vector3 goal = (1 - fraction[i]) * mesh.points.row(i) + fraction[i] * targets.row(i);
