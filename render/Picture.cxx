@@ -45,6 +45,8 @@ std::string formatted(const std::string& format, double value)
   return text;
 }
 
+}
+
 /// One text below the other at the upper left.
 class TextColumn
 {
@@ -76,8 +78,6 @@ public:
 private:
   std::vector<vtkSmartPointer<vtkTextActor>> lines_;
 };
-
-}
 
 void check_size(const std::array<int, 2>& size)
 {
