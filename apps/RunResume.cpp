@@ -93,7 +93,9 @@ void require_same_scene(const Scene& scene, const RunFile& run, const std::files
 void require_same_mesh(
   Simulation& simulation, const RunFile& run, const std::filesystem::path& file)
 {
-  if (run.header().triangles != std::vector{ simulation.triangles() } ||
+  const auto& then = run.header().triangles;
+  const Triangles& now = simulation.triangles();
+  if (then.size() != 1 || then[0].rows() != now.rows() || then[0] != now ||
     simulation.scales().length != run.header().length_scale)
   {
     throw InputError(file.string() +

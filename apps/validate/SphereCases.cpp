@@ -35,7 +35,7 @@ Scene sphere_scene(Scene::Preset preset, int triangles)
   Scene scene;
   scene.vesicle.shape.kind = ShapeRequest::Kind::sphere;
   scene.vesicle.shape.triangles = triangles;
-  scene.gravity.emplace();
+  scene.gravity = Scene::Gravity{};
   scene.gravity->bond_number = bond;
   scene.time.end = 1;
   scene.accuracy = Scene::preset(preset);

@@ -196,16 +196,16 @@ Eigen::MatrixXf StageSystem::dense() const
   for (std::size_t b = 0; b < blocks_.size(); ++b)
   {
     const StageBlock& block = blocks_[b];
-    const auto& [control, weight, functional] = block.rows;
+    const VelocityRows& rows = block.rows;
     const Eigen::Ref<const RowsF> velocities = slice(block.vesicle);
     parallel_for(block.size,
       [&](Eigen::Index i)
       {
         auto row = matrix.row(first_[b] + i);
-        if (control.size() > 0)
-          add_row_product(row, control, i, velocities);
-        for (Eigen::Index k = 0; k < weight.cols(); ++k)
-          row += static_cast<float>(weight(i, k)) * functionals[b].row(k);
+        if (rows.control.size() > 0)
+          add_row_product(row, rows.control, i, velocities);
+        for (Eigen::Index k = 0; k < rows.weight.cols(); ++k)
+          row += static_cast<float>(rows.weight(i, k)) * functionals[b].row(k);
         if (block.own.size() > 0)
           for (SparseMatrix::InnerIterator it(block.own, i); it; ++it)
             row[first_[b] + it.col()] += static_cast<float>(it.value());

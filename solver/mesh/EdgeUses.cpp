@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace vesicle
 {
@@ -27,6 +28,14 @@ EdgeUses::EdgeUses(const Triangles& triangles)
     if (i == 0 || uses_[i].a != uses_[i - 1].a || uses_[i].b != uses_[i - 1].b)
       start_.push_back(i);
   start_.push_back(n);
+}
+
+int EdgeUses::find(int a, int b) const
+{
+  const std::pair wanted(std::min(a, b), std::max(a, b));
+  const auto found = std::lower_bound(start_.begin(), start_.end() - 1, wanted,
+    [&](int first, const auto& edge) { return std::pair(uses_[first].a, uses_[first].b) < edge; });
+  return static_cast<int>(found - start_.begin());
 }
 
 }

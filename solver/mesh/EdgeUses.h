@@ -26,6 +26,8 @@ public:
 
   /// Number of edges, in ascending order of (a, b).
   int size() const { return static_cast<int>(start_.size()) - 1; }
+  /// The number of the edge between two points, in any order, which must be there.
+  int find(int a, int b) const;
   /// The sides on edge e, by ascending triangle. A side from a point to itself is no edge.
   std::span<const EdgeUse> operator[](int e) const
   {

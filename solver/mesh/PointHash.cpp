@@ -9,7 +9,9 @@ namespace vesicle
 // direction.
 PointHash::Cell PointHash::cell(const Vector3& point) const
 {
-  return (point / (2 * tolerance_)).array().floor().matrix().cast<std::int64_t>();
+  constexpr double last = 1LL << 62;
+  const auto cells = (point / (2 * tolerance_)).array().floor();
+  return cells.max(-last).min(last).matrix().cast<std::int64_t>();
 }
 
 // Different cells may share a key: find() compares the points themselves.

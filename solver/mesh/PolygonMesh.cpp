@@ -36,14 +36,17 @@ void check_points(const Points& points, const std::string& name)
   if (points.rows() >= std::numeric_limits<int>::max())
     throw InputError(fmt::format("{}: {} points are more than a mesh here can have, {}", name,
       points.rows(), std::numeric_limits<int>::max()));
-  if (points.allFinite())
+  const auto usable = [](const auto& x)
+  { return x.allFinite() && (x.array().abs() <= greatest_coordinate).all(); };
+  if (usable(points))
     return;
   for (Eigen::Index i = 0; i < points.rows(); ++i)
   {
-    if (!points.row(i).allFinite())
+    if (!usable(points.row(i)))
       throw InputError(
-        fmt::format("{}: point {} is ({}, {}, {}): coordinates must be finite numbers", name, i,
-          points(i, 0), points(i, 1), points(i, 2)));
+        fmt::format("{}: point {} is ({}, {}, {}): coordinates must be finite numbers, up to {} in "
+                    "size; check the file, or choose another unit of length",
+          name, i, points(i, 0), points(i, 1), points(i, 2), greatest_coordinate));
   }
 }
 
@@ -68,8 +71,9 @@ void check_corners(const PolygonList& polygons, std::int64_t points, const std::
 void check_offsets(std::span<const std::int64_t> offsets, std::int64_t corners,
   const std::string& what, const std::string& name)
 {
-  if (offsets.empty())
-    return;
+  if (offsets.empty() && corners > 0)
+    throw InputError(
+      fmt::format("{}: {} corners of the {} are listed, but no offsets", name, corners, what));
   for (std::size_t i = 0; i < offsets.size(); ++i)
   {
     const std::int64_t least = i == 0 ? 0 : offsets[i - 1];
@@ -78,7 +82,7 @@ void check_offsets(std::span<const std::int64_t> offsets, std::int64_t corners,
         "{}: offset {} of the {} is {}, which should lie between {} and {}, the number of corners",
         name, i, what, offsets[i], least, i == 0 ? 0 : corners));
   }
-  if (offsets.back() != corners)
+  if (!offsets.empty() && offsets.back() != corners)
     throw InputError(fmt::format("{}: the {} end at corner {}, but {} corners are listed", name,
       what, offsets.back(), corners));
 }

@@ -33,8 +33,11 @@ struct PolygonList
   void add_strip(std::span<const std::int64_t> strip, std::int64_t from_cell);
 };
 
+/// The third power of an area, which the reduced volume takes, is then still a number.
+inline constexpr double greatest_coordinate = 1e50;
+
 /// Throws InputError "name: …" with the point unless there are at most as many as triangle meshes
-/// can number and all coordinates are finite.
+/// can number and all coordinates are finite, none beyond greatest_coordinate.
 void check_points(const Points& points, const std::string& name);
 
 /// Throws InputError "name: face i uses point j, …" unless all corners are among the points; faces
@@ -43,7 +46,7 @@ void check_corners(const PolygonList& polygons, std::int64_t points, const std::
   int first = 0, const std::string& what = "face");
 
 /// Throws InputError unless offsets, as VTK's cell arrays have them, start at 0, don't descend and
-/// end at the number of corners. `what` names the cells: "polygons".
+/// end at the number of corners; where there are no cells they may be missing. `what` names the cells: "polygons".
 void check_offsets(std::span<const std::int64_t> offsets, std::int64_t corners,
   const std::string& what, const std::string& name);
 

@@ -312,8 +312,11 @@ Triangulation triangulate(
   result.cell.reserve(polygons.size());
   for (std::int64_t i = 0; i < polygons.size(); ++i)
   {
+    // Of a polygon that comes back to a corner a part may be an edge there and back.
     const auto add = [&](std::int64_t a, std::int64_t b, std::int64_t c)
     {
+      if (a == b || b == c || c == a)
+        return;
       triangles.push_back({ static_cast<int>(a), static_cast<int>(b), static_cast<int>(c) });
       result.cell.push_back(polygons.cell[i]);
     };

@@ -184,7 +184,7 @@ SceneTable gravity_table()
   };
   table.variant_in = gravity_variant;
   table.present = [](const Scene& scene) { return scene.gravity.has_value(); };
-  table.create = [](Scene& scene) { scene.gravity.emplace(); };
+  table.create = [](Scene& scene) { scene.gravity = Scene::Gravity{}; };
   return table;
 }
 

@@ -9,9 +9,6 @@
 #include "solver/simulation/SystemOfScene.h"
 #include "solver/mesh/Preparation.h"
 #include "solver/mesh/SelfCrossing.h"
-#include "solver/Errors.h"
-
-#include <fmt/format.h>
 
 #include <fmt/format.h>
 
@@ -175,7 +172,14 @@ Diagnostics Simulation::diagnose(const State& state)
 
 std::map<std::string, Eigen::MatrixXd> Simulation::fields(const State& state)
 {
-  return impl_->report.fields(state, *impl_->evolution.stepper().shape(state), 0);
+  auto fields = impl_->report.fields(state, *impl_->evolution.stepper().shape(state), 0);
+  for (const auto& [name, values] : fields)
+    if (!values.allFinite())
+      throw NumericalError(
+        fmt::format("{} isn't finite at t = {:.6g}: sizes, rigidity, viscosity or "
+                    "flow are beyond what can be computed with; check their units",
+          name, state.time));
+  return fields;
 }
 
 double Simulation::time(const State& state) const

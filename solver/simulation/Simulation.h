@@ -61,7 +61,7 @@ public:
   /// (Mean_Curvature, Gauss_Curvature, Laplacian_Mean_Curvature, Normals, Bending_Force, Tension,
   /// Tension_Force, Membrane_Force, Gravity_Force, Velocity, Surface_Divergence); #vertices rows, 1
   /// or 3 columns. Only what the scene has: no Tension without incompressibility, no Bending_Force
-  /// without bending, no Gravity_Force without gravity.
+  /// without bending, no Gravity_Force without gravity. Throws NumericalError if a value isn't finite.
   std::map<std::string, Eigen::MatrixXd> fields(const State& state);
 
 private:

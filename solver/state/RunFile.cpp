@@ -6,7 +6,6 @@
 #include "solver/files/OpenFile.h"
 #include "solver/state/LittleEndian.h"
 #include "solver/state/RunFileLayout.h"
-#include "solver/state/StateFields.h"
 
 #include <fmt/format.h>
 
@@ -53,34 +52,12 @@ void check_columns(const std::vector<std::string>& columns)
   }
 }
 
-bool all_finite(std::int64_t)
-{
-  return true;
-}
-/// Step sizes may be infinite where nothing limits them.
-bool all_finite(double)
-{
-  return true;
-}
-bool all_finite(const Points& points)
-{
-  return points.allFinite();
-}
-bool all_finite(const Eigen::VectorXd& vector)
-{
-  return vector.allFinite();
-}
-
 void check_state(const State& state)
 {
-  for_each_field(state,
-    [](const std::string& name, const auto& field)
-    {
-      if (!all_finite(field))
-      {
-        throw NumericalError(fmt::format("{} isn't finite. {}", name, remedy));
-      }
-    });
+  if (const std::string field = first_unusable_field(state); !field.empty())
+  {
+    throw NumericalError(fmt::format("{} isn't finite. {}", field, remedy));
+  }
 }
 
 std::vector<double> checked_row(

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <type_traits>
 
 namespace vesicle
@@ -52,6 +53,23 @@ Shape shape_of_field(const Points& points)
 Shape shape_of_field(const Eigen::VectorXd& vector)
 {
   return { static_cast<hsize_t>(vector.size()) };
+}
+
+bool is_usable(std::int64_t)
+{
+  return true;
+}
+bool is_usable(double value)
+{
+  return !std::isnan(value);
+}
+bool is_usable(const Points& points)
+{
+  return points.allFinite();
+}
+bool is_usable(const Eigen::VectorXd& vector)
+{
+  return vector.allFinite();
 }
 
 [[noreturn]] void misshapen(const std::string& name)
@@ -211,6 +229,17 @@ std::vector<double> read_series(const std::string& file, const CheckedRunFile& c
   return series;
 }
 
+/// What a writer would have refused.
+void require_usable(const RunFileContents& contents)
+{
+  const bool finite =
+    std::ranges::all_of(contents.series, [](double x) { return std::isfinite(x); });
+  const std::string field = finite ? first_unusable_field(contents.state) : "series";
+  if (!field.empty())
+    throw IoError(fmt::format(
+      "{} isn't finite; bring a copy of the file back, or start anew with --overwrite", field));
+}
+
 /// A file whose numbers aren't where they are looked for must not come to be.
 void require_places(
   const RunFileImage& image, const std::vector<std::vector<Handle>>& slots, hid_t series)
@@ -290,7 +319,20 @@ RunFileContents read_contents(const std::string& bytes)
   {
     contents.state = read_slot(file, checked.commit.rows % 2, contents.header.triangles.size());
   }
+  require_usable(contents);
   return contents;
+}
+
+std::string first_unusable_field(const State& state)
+{
+  std::string found;
+  for_each_field(state,
+    [&](const std::string& name, const auto& field)
+    {
+      if (found.empty() && !is_usable(field))
+        found = name;
+    });
+  return found;
 }
 
 std::vector<Shape> field_shapes(const State& state)

@@ -30,9 +30,13 @@ struct RunFileImage
 
 /// With room for `capacity` rows of the series.
 RunFileImage run_file_image(const RunFileContents& contents, std::size_t capacity);
-/// Throws IoError if the bytes aren't those of a run file, undamaged.
+/// Throws IoError if the bytes aren't those of a run file, undamaged, whose state and series are
+/// finite.
 RunFileContents read_contents(const std::string& file);
 
+/// The name of a field of `state` that has something else than numbers; empty: none. Step sizes may be
+/// infinite where nothing limits them.
+std::string first_unusable_field(const State& state);
 /// The shapes that the fields of `state` take in the file.
 std::vector<hdf5::Shape> field_shapes(const State& state);
 /// What stands in the state's slot, all fields one after the other.

@@ -65,7 +65,7 @@ Scene pear(int triangles)
   Scene scene;
   scene.vesicle.shape = { ShapeRequest::Kind::prolate, triangles, {}, 0.95, {}, {} };
   scene.membrane.bending_rigidity = 1;
-  scene.gravity.emplace();
+  scene.gravity = Scene::Gravity{};
   scene.gravity->bond_number = 10;
   scene.time.end = 100;
   return scene;

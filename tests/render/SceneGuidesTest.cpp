@@ -101,7 +101,7 @@ TEST(SceneGuides, RotationGoesRoundItsAxis)
 TEST(SceneGuides, GravityPointsDown)
 {
   Scene scene;
-  scene.gravity.emplace();
+  scene.gravity = Scene::Gravity{};
   scene.gravity->bond_number = 10;
   const auto guides = scene_guides(scene, front);
   ASSERT_EQ(guides.size(), 1u);
@@ -111,7 +111,7 @@ TEST(SceneGuides, GravityPointsDown)
 TEST(SceneGuides, AreLeftOutWhenTheyPointAtTheViewer)
 {
   Scene scene;
-  scene.gravity.emplace();
+  scene.gravity = Scene::Gravity{};
   const Guide gravity = scene_guides(scene, front)[0];
   EXPECT_TRUE(guide_marker(gravity, front, 640, 360, {}));
   EXPECT_FALSE(guide_marker(gravity, View::named("top"), 640, 360, {}));

@@ -77,6 +77,9 @@ std::vector<Damage> damages()
       [](vtkPolyData* s)
       { s->GetPoints()->SetPoint(9, std::numeric_limits<double>::infinity(), 0, 0); },
       "point 9 is" },
+    { "TooFar", [](vtkPolyData* s) { s->GetPoints()->SetPoint(9, 0, 1e200, 0); }, "point 9 is" },
+    { "NoOffsets", [](vtkPolyData* s) { s->GetPolys()->GetOffsetsArray()->Resize(0); },
+      "of the polygons are listed, but no offsets" },
     { "NoPoints", [](vtkPolyData* s) { s->SetPoints(vtkNew<vtkPoints>()); },
       "there are no points" },
     { "ShortArray",

@@ -60,7 +60,7 @@ Scene vtkVesicleSceneAlgorithm::MakeScene()
   scene.flow = this->MakeFlow();
   if (this->BondNumber != 0)
   {
-    scene.gravity.emplace().bond_number = this->BondNumber;
+    scene.gravity = { this->BondNumber, 0, 0 };
   }
   else if (this->DensityDifference != 0 && this->Acceleration != 0)
   {

@@ -3,7 +3,6 @@
 #include "solver/mesh/Refinement.h"
 
 #include <algorithm>
-#include <ranges>
 #include <utility>
 
 namespace vesicle
@@ -38,7 +37,9 @@ std::vector<Split> choose_splits(const EditableMesh& mesh, const EdgeUses& edges
   std::vector<Split> chosen;
   std::vector<bool> changed(mesh.triangles.rows(), false);
   const double infinity = std::numeric_limits<double>::infinity();
-  for (const int e : std::views::reverse(mesh.edges_between(length, infinity, edges)))
+  std::vector<int> longest_first = mesh.edges_between(length, infinity, edges);
+  std::reverse(longest_first.begin(), longest_first.end());
+  for (const int e : longest_first)
   {
     const auto [a, b, left, forward] = edges[e].front();
     const int right = edges[e].back().triangle;

@@ -66,8 +66,7 @@ std::vector<int> NormalFit::two_ring(int i) const
     ring.insert(ring.end(), around.begin(*j), around.end(*j));
   }
   std::ranges::sort(ring);
-  const auto repeated = std::ranges::unique(ring);
-  ring.erase(repeated.begin(), repeated.end());
+  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
   std::erase_if(
     ring, [&](int j) { return j == i || averages_.row(i).dot(averages_.row(j)) < same_side; });
   return ring;

@@ -9,23 +9,9 @@
 
 #include <algorithm>
 #include <numbers>
-#include <ranges>
 
 namespace vesicle
 {
-
-namespace
-{
-int find_edge(const EdgeUses& edges, int a, int b)
-{
-  const std::array<int, 2> wanted{ std::min(a, b), std::max(a, b) };
-  const auto numbers = std::views::iota(0, edges.size());
-  return *std::ranges::lower_bound(numbers, wanted, {},
-    [&](int e) {
-      return std::array{ edges[e].front().a, edges[e].front().b };
-    });
-}
-}
 
 SphereMesh geodesic_sphere_mesh(int n)
 {
@@ -86,7 +72,7 @@ SphereMesh refined(const SphereMesh& mesh)
     {
       const EdgeUse& use = edges[e].front();
       operation.image.push_back(
-        points + find_edge(edges, operation.image[use.a], operation.image[use.b]));
+        points + edges.find(operation.image[use.a], operation.image[use.b]));
     }
     cut.symmetries.push_back(std::move(operation));
   }

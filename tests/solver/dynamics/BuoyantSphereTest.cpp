@@ -22,7 +22,7 @@ struct Errors
 Errors solve(Scene::Preset preset, int n)
 {
   Scene scene;
-  scene.gravity.emplace();
+  scene.gravity = Scene::Gravity{};
   scene.gravity->bond_number = 3;
   scene.time.end = 1;
   scene.accuracy = Scene::preset(preset);

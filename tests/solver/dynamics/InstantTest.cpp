@@ -108,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(Presets, Instant,
 double error_of_rising_sphere(Scene::Preset preset, int triangles)
 {
   Scene s = scene(preset);
-  s.gravity.emplace().bond_number = 4.5;
+  s.gravity = { 4.5, 0, 0 };
   Simulation simulation(s, shape(ShapeRequest::Kind::sphere, triangles, {}));
   Points points(6, 3);
   points << 0, 0, 0, 0.3, 0.2, -0.5, 0, 0.9, 0, 0.6, 0, 0.9, 0, 0, 2, 2, -1, 1;

@@ -38,7 +38,7 @@ Scene Invariance::rising() const
   Scene scene;
   scene.accuracy = Scene::preset(GetParam());
   scene.membrane.bending_rigidity = 1;
-  scene.gravity.emplace();
+  scene.gravity = Scene::Gravity{};
   scene.gravity->bond_number = 5;
   scene.time.end = 1;
   scene.time.step = 0.01;

@@ -153,6 +153,22 @@ TEST(Triangulation, RepeatedCornersCountOnce)
   EXPECT_EQ(triangles(std::vector<std::int64_t>(300000, 2)), 0);
 }
 
+TEST(Triangulation, TrianglesOfPolygonsThatComeBackToACornerHaveThree)
+{
+  std::mt19937 random(1);
+  const Points points = ring({ { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 0.5, 0.25 } });
+  for (int round = 0; round < 1000; ++round)
+  {
+    std::vector<std::int64_t> corners(4 + random() % 6);
+    for (auto& corner : corners)
+      corner = random() % 5;
+    const TriangleMesh mesh = cut(points, polygon(corners));
+    for (const auto& triangle : mesh.triangles.rowwise())
+      EXPECT_TRUE(
+        triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0]);
+  }
+}
+
 TEST(Triangulation, CellsFollowTheirTriangles)
 {
   const Points points = ring({ { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } });
