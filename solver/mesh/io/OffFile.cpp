@@ -53,8 +53,12 @@ Header read_header(TextScanner& scanner)
   if (scanner.peek() == "BINARY")
     scanner.fail("the file is binary, only OFF as text can be read");
   header.points = scanner.number<std::int64_t>("the number of points");
+  const bool is_free_form = TextScanner(scanner).word_on_line().empty();
   header.faces = scanner.number<std::int64_t>("the number of faces");
-  if (!scanner.word_on_line().empty()) // of edges, which nobody counts
+  // That of edges nobody counts; where a line holds the others it may be left out.
+  if (is_free_form)
+    scanner.number<std::int64_t>("the number of edges");
+  else if (!scanner.word_on_line().empty())
     scanner.require_end_of_line();
   if (header.points < 0 || header.faces < 0)
     scanner.fail("the numbers of points and faces should be here");
