@@ -279,9 +279,10 @@ void step(vtkPolyData* surface, Bytes settings)
   vtkNew<vtkVesicleStepper> stepper;
   stepper->SetInputData(surface);
   set_scene(stepper, settings);
-  stepper->SetTimeStep(std::ldexp(1, -settings.below(30)));
+  const double step = std::ldexp(1, -settings.below(30));
+  stepper->SetTimeStep(step);
   const VtkMessages messages;
-  stepper->UpdateTimeStep(std::ldexp(1, -20));
+  stepper->UpdateTimeStep(step);
   require_finite(stepper->GetOutput()->GetPointData());
 }
 

@@ -16,6 +16,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
@@ -110,8 +111,14 @@ TEST(MeshFilesLosses, AreSaid)
   EXPECT_NE(
     written("mesh.obj").find("can't hold Mean Curvature, Force, Side, Words;"), std::string::npos);
   EXPECT_NE(written("mesh.ply").find("can't hold Words; .vtu"), std::string::npos);
-  EXPECT_NE(written("mesh.vtu").find("can't hold Words; .vtp"), std::string::npos);
-  EXPECT_EQ(written("mesh.vtp"), "");
+  for (const char* name : { "mesh.vtu", "mesh.vtp", "mesh.vtk" })
+  {
+    EXPECT_EQ(written(name), "");
+    const auto again = read_mesh(folder / name);
+    auto* text = vtkStringArray::SafeDownCast(again->GetFieldData()->GetAbstractArray("Words"));
+    ASSERT_NE(text, nullptr) << name;
+    EXPECT_EQ(text->GetValue(0), "vesicle");
+  }
   const auto back = read_mesh(folder / "mesh.ply");
   ASSERT_NE(back->GetPointData()->GetArray("Mean_Curvature"), nullptr);
   EXPECT_EQ(
@@ -121,6 +128,28 @@ TEST(MeshFilesLosses, AreSaid)
   ASSERT_NE(back->GetPointData()->GetNormals(), nullptr);
   ASSERT_NE(back->GetCellData()->GetArray("Side"), nullptr);
   EXPECT_EQ(back->GetCellData()->GetArray("Side")->GetComponent(mesh.triangles.rows() - 1, 0), 1);
+}
+
+TEST(MeshFilesLosses, AreNotTheColoursOfObjPoints)
+{
+  const TemporaryFolder folder;
+  const auto surface = to_polydata(geodesic_sphere(2));
+  vtkNew<vtkUnsignedCharArray> colours;
+  colours->SetName("RGB");
+  colours->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+    colours->InsertNextTuple3(static_cast<double>(i), 51, 255);
+  surface->GetPointData()->AddArray(colours);
+  EXPECT_EQ(write_mesh(surface, folder / "mesh.obj"), "");
+  const auto back = read_mesh(folder / "mesh.obj");
+  vtkDataArray* array = back->GetPointData()->GetArray("RGB");
+  ASSERT_NE(array, nullptr);
+  for (vtkIdType i = 0; i < back->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_FLOAT_EQ(array->GetComponent(i, 0), i / 255.0f);
+    EXPECT_FLOAT_EQ(array->GetComponent(i, 1), 0.2f);
+    EXPECT_FLOAT_EQ(array->GetComponent(i, 2), 1.0f);
+  }
 }
 
 TEST(MeshFilesLosses, OfShapeFarFromTheOriginAreSaid)

@@ -159,14 +159,7 @@ vtkSmartPointer<vtkUnstructuredGrid> to_unstructured_grid(vtkPolyData* surface)
   grid->SetCells(VTK_TRIANGLE, surface->GetPolys());
   grid->GetPointData()->ShallowCopy(surface->GetPointData());
   grid->GetCellData()->ShallowCopy(surface->GetCellData());
-  vtkFieldData* fields = surface->GetFieldData();
-  for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
-  {
-    if (vtkDataArray* numbers = fields->GetArray(i))
-    {
-      grid->GetFieldData()->AddArray(numbers);
-    }
-  }
+  grid->GetFieldData()->ShallowCopy(surface->GetFieldData());
   return grid;
 }
 

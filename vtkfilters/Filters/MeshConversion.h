@@ -38,8 +38,7 @@ VESICLEFILTERS_EXPORT vtkSmartPointer<vtkDoubleArray> to_array(
 /// arrays that aren't numbers or have no name are left out.
 VESICLEFILTERS_EXPORT Frame to_frame(vtkPolyData* surface, double time);
 
-/// The same triangles and arrays as an unstructured grid, which more programs read. Field data that
-/// aren't numbers are left out: some readers stop at them.
+/// The same triangles and arrays as an unstructured grid, which more programs read.
 VESICLEFILTERS_EXPORT vtkSmartPointer<vtkUnstructuredGrid> to_unstructured_grid(
   vtkPolyData* surface);
 

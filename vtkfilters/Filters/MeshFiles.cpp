@@ -144,14 +144,9 @@ std::vector<std::string> names_of(vtkFieldData* arrays)
   return names;
 }
 
-/// All arrays but, for whom it keeps them, the normals.
-std::vector<std::string> all_names(vtkPolyData* surface, bool without_normals = false)
+std::vector<std::string> all_names(vtkPolyData* surface)
 {
   std::vector<std::string> names = names_of(surface->GetPointData());
-  if (vtkDataArray* normals = surface->GetPointData()->GetNormals(); normals && without_normals)
-  {
-    std::erase(names, normals->GetName() ? normals->GetName() : "");
-  }
   for (vtkFieldData* data :
     { static_cast<vtkFieldData*>(surface->GetCellData()), surface->GetFieldData() })
   {
@@ -195,17 +190,40 @@ std::string write_ply(vtkPolyData* surface, const path& file)
   return loss(file, ply.lost, keeps_all);
 }
 
+/// A row a point; none unless it has three components.
+Points vectors_of(vtkDataArray* array)
+{
+  Points vectors(array && array->GetNumberOfComponents() == 3 ? array->GetNumberOfTuples() : 0, 3);
+  for (Eigen::Index i = 0; i < vectors.rows(); ++i)
+  {
+    array->GetTuple(i, vectors.row(i).data());
+  }
+  return vectors;
+}
+
+/// From 0 to 1, as OBJ has them.
+Points colours_of(vtkDataArray* array)
+{
+  const bool bytes = array && array->GetDataType() == VTK_UNSIGNED_CHAR;
+  return vectors_of(array) / (bytes ? 255.0 : 1.0);
+}
+
 std::string write_obj(vtkPolyData* surface, const path& file)
 {
-  vtkDataArray* array = surface->GetPointData()->GetNormals();
-  const bool with_normals = array && array->GetNumberOfComponents() == 3;
-  Points normals(with_normals ? surface->GetNumberOfPoints() : 0, 3);
-  for (Eigen::Index i = 0; i < normals.rows(); ++i)
+  vtkPointData* arrays = surface->GetPointData();
+  const Points normals = vectors_of(arrays->GetNormals());
+  const Points colours = colours_of(arrays->GetArray("RGB"));
+  replace_file(file, obj_text(to_mesh(surface), normals, colours));
+  std::vector<std::string> lost = all_names(surface);
+  if (const char* name = normals.rows() > 0 ? arrays->GetNormals()->GetName() : nullptr)
   {
-    array->GetTuple(i, normals.row(i).data());
+    std::erase(lost, name);
   }
-  replace_file(file, obj_text(to_mesh(surface), normals));
-  return loss(file, all_names(surface, with_normals), keeps_all);
+  if (colours.rows() > 0)
+  {
+    std::erase(lost, "RGB");
+  }
+  return loss(file, lost, keeps_all);
 }
 
 std::string write_off(vtkPolyData* surface, const path& file)
@@ -214,14 +232,9 @@ std::string write_off(vtkPolyData* surface, const path& file)
   return loss(file, all_names(surface), keeps_all);
 }
 
-/// Fields that aren't numbers are left out: other programs don't read files that have them.
 std::string write_grid(vtkPolyData* surface, const path& file)
 {
-  write_xml<vtkXMLUnstructuredGridWriter>(to_unstructured_grid(surface), file);
-  std::vector<std::string> lost = names_of(surface->GetFieldData());
-  std::erase_if(
-    lost, [&](const std::string& name) { return surface->GetFieldData()->GetArray(name.c_str()); });
-  return loss(file, lost, ".vtp and .vtk files do");
+  return write_xml<vtkXMLUnstructuredGridWriter>(to_unstructured_grid(surface), file);
 }
 
 std::string pieces_only(vtkPolyData*, const path& file)

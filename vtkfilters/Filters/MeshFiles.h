@@ -13,14 +13,14 @@ class vtkPolyData;
 namespace vesicle
 {
 
-/// Reads a surface and its arrays (of .obj, .off and .stl the points and faces alone), also
+/// Reads a surface and its arrays (of .off and .stl the points and faces alone, of .obj the points' colours), also
 /// .pvtu and .pvtp; polygons and strips come out as triangles, corners of an .stl file at the same
 /// place as one point. Points keep the file's precision. Throws InputError naming the file, what is
 /// wrong and a remedy, also for a file that ends early.
 VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> read_mesh(const std::filesystem::path& file);
 
-/// Writes a triangle surface; .vtu, .vtp and .vtk keep the arrays (.vtu no fields of text, which
-/// other programs stop at), .ply the numbers of points and triangles, .obj the normals. Coordinates
+/// Writes a triangle surface; .vtu, .vtp and .vtk keep the arrays, .ply the numbers of points and
+/// triangles, .obj the normals and the points' colours (an array RGB, bytes or 0 to 1). Coordinates
 /// are kept to the last bit but for .stl, which holds single precision. The file appears when it is
 /// complete. Returns what it can't hold, arrays by name and shape that is lost by rounding, in a
 /// sentence; empty: nothing. Throws InputError for an unknown ending, IoError if it can't be

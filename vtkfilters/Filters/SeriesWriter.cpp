@@ -18,15 +18,24 @@ namespace vesicle
 namespace
 {
 
-/// A shallow copy that knows its time, so that the caller's surface stays as it is.
-vtkSmartPointer<vtkPolyData> with_time(vtkPolyData* surface, double time)
+/// A shallow copy that knows its time, so that the caller's surface stays as it is. Field data are
+/// numbers alone: programs that read frames (meshio) stop at others.
+vtkSmartPointer<vtkPolyData> as_frame(vtkPolyData* surface, double time)
 {
   vtkNew<vtkDoubleArray> value;
   value->SetName("TimeValue");
   value->InsertNextValue(time);
   auto copy = vtkSmartPointer<vtkPolyData>::New();
   copy->ShallowCopy(surface);
-  copy->GetFieldData()->AddArray(value);
+  vtkFieldData* fields = copy->GetFieldData();
+  for (int i = fields->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    if (!fields->GetArray(i))
+    {
+      fields->RemoveArray(i);
+    }
+  }
+  fields->AddArray(value);
   return copy;
 }
 
@@ -114,9 +123,9 @@ void SeriesWriter::append(vtkPolyData* surface, double time)
   {
     make_folder(folder_ / "frames");
   }
-  const auto timed = with_time(triangulated(surface, name_), time);
-  write_mesh(timed, folder_ / frame_name(index, ".vtu"));
-  const Frame frame = to_frame(timed, time);
+  const auto frame_surface = as_frame(triangulated(surface, name_), time);
+  write_mesh(frame_surface, folder_ / frame_name(index, ".vtu"));
+  const Frame frame = to_frame(frame_surface, time);
   replace_file(folder_ / frame_name(index, ".h5"), frame_file_image(frame));
   list(time, layout_of(frame));
   list_frames();

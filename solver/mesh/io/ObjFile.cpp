@@ -62,6 +62,8 @@ public:
     }
     file_.points = Eigen::Map<const Points>(
       coordinates_.data(), static_cast<Eigen::Index>(coordinates_.size() / 3), 3);
+    if (colours_.size() == coordinates_.size() && !colours_.empty())
+      file_.point_data.push_back({ "RGB", 3, std::move(colours_), {}, {}, false });
     return std::move(file_);
   }
 
@@ -71,9 +73,16 @@ private:
     for (int k = 0; k < 3; ++k)
       coordinates_.push_back(scanner_.number_on_line<double>("a coordinate"));
     // A weight, a colour, or both.
+    std::vector<float> more;
     for (auto word = scanner_.word_on_line(); !word.empty(); word = scanner_.word_on_line())
-      if (!number_of<double>(word))
+    {
+      const auto value = number_of<float>(word);
+      if (!value)
         scanner_.fail("what stands after a point's coordinates should be numbers");
+      more.push_back(*value);
+    }
+    if (more.size() == 3 || more.size() == 4)
+      colours_.insert(colours_.end(), more.end() - 3, more.end());
   }
 
   /// "point", "point/texture", "point//normal" or "point/texture/normal".
@@ -98,6 +107,7 @@ private:
 
   TextScanner scanner_;
   std::vector<double> coordinates_;
+  std::vector<float> colours_; ///< three a point that has one
   SurfaceFile file_;
 };
 
@@ -112,11 +122,16 @@ SurfaceFile read_obj(std::string_view text, const std::string& name)
   return file;
 }
 
-std::string obj_text(const TriangleMesh& mesh, const Points& normals)
+std::string obj_text(const TriangleMesh& mesh, const Points& normals, const Points& colours)
 {
   std::string text;
-  for (const auto& p : mesh.points.rowwise())
-    text += fmt::format("v {} {} {}\n", p[0], p[1], p[2]);
+  for (Eigen::Index i = 0; i < mesh.points.rows(); ++i)
+  {
+    text += fmt::format("v {} {} {}", mesh.points(i, 0), mesh.points(i, 1), mesh.points(i, 2));
+    if (colours.rows() > 0)
+      text += fmt::format(" {} {} {}", colours(i, 0), colours(i, 1), colours(i, 2));
+    text += '\n';
+  }
   for (const auto& n : normals.rowwise())
     text += fmt::format("vn {} {} {}\n", n[0], n[1], n[2]);
   for (const auto& triangle : mesh.triangles.rowwise())

@@ -55,6 +55,21 @@ TEST(ObjFile, ReadsWeightsColoursGroupsAndFacesBeforeTheirPoints)
     0.5);
 }
 
+TEST(ObjFile, KeepsColoursThatAllPointsHave)
+{
+  const auto colours_of = [](const std::string& text)
+  {
+    const SurfaceFile file = read_obj(text, "mesh.obj");
+    return file.point_data.empty() ? std::vector<float>()
+                                   : std::get<std::vector<float>>(file.point_data[0].values);
+  };
+  const std::string face = "f 1 2 3\n";
+  EXPECT_EQ(colours_of("v 0 0 0 1 .5 0\nv 1 0 0 1 0 1 .25\nv 0 1 0 0 0 1\n" + face),
+    (std::vector<float>{ 1, .5f, 0, 0, 1, .25f, 0, 0, 1 }));
+  EXPECT_TRUE(colours_of("v 0 0 0 1 .5 0\nv 1 0 0\nv 0 1 0 0 0 1\n" + face).empty());
+  EXPECT_TRUE(colours_of("v 0 0 0 1\nv 1 0 0 1\nv 0 1 0 1\n" + face).empty());
+}
+
 TEST(ObjFile, SaysWhatIsWrong)
 {
   EXPECT_THAT(message_of(read_obj, "v 0 0 0\nf 1 2 3\n"),
