@@ -37,7 +37,7 @@ Run::Run(Scene scene, const std::filesystem::path& folder, const RunOptions& opt
 int Run::carry_out()
 {
   watch_for_interrupts();
-  require_affordable(cost_of(scene_, scene_.vesicle.mesh_file ? 0 : scene_.vesicle.shape.triangles),
+  require_affordable(scene_, scene_.vesicle.mesh_file ? 0 : scene_.vesicle.shape.triangles,
     resources_for(folder_.folder()));
   const bool existing = !folder_.files().empty();
   if (existing)

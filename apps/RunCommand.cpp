@@ -21,6 +21,7 @@ struct RunCommandOptions
   std::string scene;
   std::string folder;
   std::vector<std::string> overrides;
+  std::string merge;
   std::size_t threads = 0;
   bool no_movie = false;
   bool no_plots = false;
@@ -42,7 +43,12 @@ int run_scene(const RunCommandOptions& options)
     threads.emplace(global_control::max_allowed_parallelism, options.threads);
   }
   spdlog::set_level(spdlog::level::warn);
-  const Scene scene = read_scene(options.scene, options.overrides);
+  std::vector<std::string> overrides = options.overrides;
+  if (!options.merge.empty())
+  {
+    overrides.push_back("vesicle.merge=" + options.merge);
+  }
+  const Scene scene = read_scene(options.scene, overrides);
   RunOptions run = options.run;
   run.movie = !options.no_movie;
   run.plots = !options.no_plots;
@@ -62,6 +68,8 @@ void add_run_command(CLI::App& app, Action& action)
     ->add_option(
       "--set", options->overrides, "table.key=value instead of the scene's, once a setting")
     ->allow_extra_args(false);
+  command->add_option("--merge", options->merge,
+    "Points of the scene's start mesh nearer than this distance become one: vesicle.merge");
   auto* resume = command->add_flag("--resume", options->run.resume,
     "Go on from the checkpoint in the folder (start where there is no run yet)");
   command->add_flag("--overwrite", options->run.overwrite, "Replace the run in the folder")

@@ -51,7 +51,10 @@ int make(ShapeOptions options, bool with_reduced_volume)
   const TriangleMesh mesh = make_start_shape(options.request, basis);
   const MeshReport report(mesh, basis);
   const auto surface = to_polydata(mesh);
-  add_surface(basis, *report.reduced_volume, surface->GetFieldData());
+  if (keeps_field_data(file)) // else nothing that was asked for is lost
+  {
+    add_surface(basis, *report.reduced_volume, surface->GetFieldData());
+  }
   warn(write_mesh(surface, file));
   print("{}\n{}", file, to_text(report));
   return exit_code::done;

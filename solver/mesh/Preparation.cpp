@@ -95,9 +95,9 @@ void Preparation::check_duplicates() const
     if (const int twin = seen.find(point(i) - origin); twin >= 0)
     {
       fail(
-        "duplicate points {} and {} {}: merge points that coincide (vtkCleanPolyData, ParaView's "
-        "Clean, or merge_vertices of the program that wrote the mesh)",
-        twin, i, near_text(point(i)));
+        "duplicate points {} and {} {}: merge points that coincide by --merge {:.2g} (vesicle run, "
+        "info, curvature), vesicle.merge in a scene, or vtkCleanPolyData (ParaView's Clean)",
+        twin, i, near_text(point(i)), merge_distance(duplicate_distance * size));
     }
     seen.insert(point(i) - origin, i);
   }
@@ -133,7 +133,7 @@ void Preparation::check_edges() const
     if (const auto gap = seam_gap(mesh_))
     {
       fail("open border at {}: the corners of neighbouring triangles differ by up to {:.2g};"
-           " merge them: vesicle curvature MESH --merge {:.2g} -o merged.vtu",
+           " merge them by --merge {:.2g} (vesicle run, info, curvature), in a scene vesicle.merge",
         place_of_edge(e), *gap, merge_distance(*gap));
     }
     const int holes = inspection_.holes();

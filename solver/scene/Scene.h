@@ -28,6 +28,7 @@ struct Scene
   {
     ShapeRequest shape;                             ///< unless mesh_file is given
     std::optional<std::filesystem::path> mesh_file; ///< absolute; instead of shape
+    std::optional<double> mesh_merge;  ///< points of a mesh file nearer than this become one
     std::optional<double> mesh_radius; ///< rescales a mesh file to this r0; empty: taken as it is
     std::optional<int> mesh_triangles; ///< resamples a mesh file; empty: taken as it is
     double radius = 1;                 ///< r0 = (3V/4π)^{1/3} of a shape

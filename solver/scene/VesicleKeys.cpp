@@ -155,6 +155,10 @@ std::vector<SceneKey> vesicle_keys()
       "start mesh, taken as it is where nothing else is said; instead of shape")
       .with({ from_file })
       .required(),
+    key("merge", at(&Scene::vesicle, &Vesicle::mesh_merge), rules::Number{ positive }, "length",
+      "points of the mesh nearer than this become one, so that seams close")
+      .with({ from_file })
+      .otherwise("as it is"),
     key("radius", at(&Scene::vesicle, &Vesicle::radius), rules::Number{ positive }, "length",
       "r0 = (3V/4π)^(1/3)")
       .with(shapes),

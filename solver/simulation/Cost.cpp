@@ -84,10 +84,16 @@ Resources resources_for(const std::filesystem::path& folder)
 namespace
 {
 
-void require_memory(double memory, double available)
+/// The problem, behind the scene's file where there is one.
+[[noreturn]] void refuse(const Scene& scene, const std::string& problem)
+{
+  throw InputError(scene.file.empty() ? problem : scene.file.string() + ": " + problem);
+}
+
+void require_memory(const Scene& scene, double memory, double available)
 {
   if (!(memory <= available))
-    throw InputError(
+    refuse(scene,
       fmt::format("the run would take about {} of memory, of {} that there are: take fewer "
                   "triangles (vesicle.triangles)",
         gigabytes(memory), gigabytes(available)));
@@ -95,31 +101,36 @@ void require_memory(double memory, double available)
 
 }
 
-void require_memory(const Cost& cost)
+void require_memory(const Scene& scene, double triangles)
 {
-  require_memory(cost.memory, resources_for(".").memory);
+  require_memory(scene, cost_of(scene, triangles).memory, resources_for(".").memory);
 }
 
-void require_affordable(const Cost& cost, const Resources& available)
+void require_affordable(const Scene& scene, double triangles, const Resources& available)
 {
-  require_memory(cost.memory, available.memory);
+  const Cost cost = cost_of(scene, triangles);
+  require_memory(scene, cost.memory, available.memory);
   if (!(cost.picture <= available.memory))
-    throw InputError(fmt::format(
-      "a picture of the movie would take about {} of memory, of {} that there are: take "
-      "a smaller movie.size",
-      gigabytes(cost.picture), gigabytes(available.memory)));
+    refuse(scene,
+      fmt::format(
+        "a picture of the movie would take about {} of memory, of {} that there are: take "
+        "a smaller movie.size",
+        gigabytes(cost.picture), gigabytes(available.memory)));
   if (!(cost.frames <= most_frames))
-    throw InputError(fmt::format("the run would write {:.3g} frames, over {:.0e}: take a longer "
-                                 "time.output_every, or an earlier time.end",
-      cost.frames, most_frames));
+    refuse(scene,
+      fmt::format("the run would write {:.3g} frames, over {:.0e}: take a longer "
+                  "time.output_every, or an earlier time.end",
+        cost.frames, most_frames));
   if (!(cost.disk <= std::max(available.disk, least_refused)))
-    throw InputError(fmt::format("the run would write {:.3g} frames, {} of which {} are free: take "
-                                 "a longer time.output_every, or fewer triangles",
-      cost.frames, gigabytes(cost.disk), gigabytes(available.disk)));
+    refuse(scene,
+      fmt::format("the run would write {:.3g} frames, {} of which {} are free: take "
+                  "a longer time.output_every, or fewer triangles",
+        cost.frames, gigabytes(cost.disk), gigabytes(available.disk)));
   if (!(cost.steps <= most_steps))
-    throw InputError(fmt::format("the run would take {:.3g} steps, over {:.0e}: take a longer "
-                                 "time.step, or an earlier time.end",
-      cost.steps, most_steps));
+    refuse(scene,
+      fmt::format("the run would take {:.3g} steps, over {:.0e}: take a longer "
+                  "time.step, or an earlier time.end",
+        cost.steps, most_steps));
 }
 
 }

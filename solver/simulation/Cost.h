@@ -28,9 +28,9 @@ struct Resources
 };
 Resources resources_for(const std::filesystem::path& folder);
 
-/// Throws InputError with the number and the keys that would change it.
-void require_affordable(const Cost& cost, const Resources& available);
-/// Of the memory alone, where nothing is written.
-void require_memory(const Cost& cost);
+/// Throws InputError naming the scene's file, with the number and the keys that would change it.
+void require_affordable(const Scene& scene, double triangles, const Resources& available);
+/// Of this machine's memory alone, where nothing is written.
+void require_memory(const Scene& scene, double triangles);
 
 }

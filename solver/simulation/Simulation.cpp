@@ -79,7 +79,7 @@ struct Simulation::Impl
 
 Simulation::Simulation(const Scene& scene, TriangleMesh start, const std::string& notes)
 {
-  require_memory(cost_of(scene, static_cast<double>(start.triangles.rows())));
+  require_memory(scene, static_cast<double>(start.triangles.rows()));
   impl_ = std::make_unique<Impl>(scene, std::move(start), notes);
 }
 

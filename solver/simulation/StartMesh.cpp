@@ -41,7 +41,7 @@ Eigen::Matrix3d orientation(const Scene::Vesicle& vesicle)
 TriangleMesh make_start_mesh(const Scene& scene)
 {
   const Scene::Vesicle& vesicle = scene.vesicle;
-  require_memory(cost_of(scene, vesicle.shape.triangles));
+  require_memory(scene, vesicle.shape.triangles);
   TriangleMesh mesh = make_start_shape(vesicle.shape, scene.accuracy.basis);
   place(mesh, vesicle.radius, orientation(vesicle), vesicle.center);
   return mesh;
@@ -98,7 +98,8 @@ TriangleMesh place_start_mesh(const Scene& scene, TriangleMesh mesh, std::string
 {
   const std::string name =
     scene.vesicle.mesh_file ? scene.vesicle.mesh_file->string() : std::string("mesh");
-  require_memory(cost_of(scene, scene.vesicle.mesh_triangles.value_or(mesh.triangles.rows())));
+  require_memory(
+    scene, static_cast<double>(scene.vesicle.mesh_triangles.value_or(mesh.triangles.rows())));
   if (scene.vesicle.mesh_triangles)
     notes = resample_start_mesh(mesh, name, *scene.vesicle.mesh_triangles);
   else

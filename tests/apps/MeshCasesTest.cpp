@@ -179,13 +179,17 @@ Check refused(const std::vector<std::string>& words)
 }
 
 /// A run of a step from the file.
-Outcome run_from(const path& folder, const std::string& file)
+Outcome run_from(
+  const path& folder, const std::string& file, const std::vector<std::string>& more = {})
 {
   write(folder / "scene.toml",
     "name = \"run\"\n[vesicle]\nfile = \"" + file +
       "\"\n[membrane]\nbending_rigidity = 1.0\n[time]\nend = 1e-5\noutput_every = 1e-5\n"
       "[accuracy]\npreset = \"fast\"\n");
-  return vesicle_command(folder, { "run", "scene.toml", "--no-movie", "--no-plots", "-o", "run" });
+  std::vector<std::string> arguments{ "run", "scene.toml", "--no-movie", "--no-plots", "-o",
+    "run" };
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return vesicle_command(folder, arguments);
 }
 
 /// As `gives`, and a run begins from it.
@@ -266,6 +270,21 @@ void expect_crossing_told(const path& folder, const std::string& file)
   for (const std::string word : { file.c_str(), "the surface crosses itself: triangles " })
     EXPECT_NE(outcome.errors.find(word), std::string::npos) << outcome.errors;
   EXPECT_FALSE(std::filesystem::exists(folder / "run"));
+}
+
+void expect_merged_when_asked(const path& folder, const std::string& file)
+{
+  const auto open = run_from(folder, file);
+  EXPECT_EQ(open.code, 2);
+  EXPECT_NE(open.errors.find("--merge"), std::string::npos) << open.errors;
+  const auto closed = run_from(folder, file, { "--merge", "1e-5" });
+  EXPECT_EQ(closed.code, 0) << closed.errors;
+  const auto gone_on =
+    run_from(folder, file, { "--merge", "1e-5", "--resume", "--set", "time.end=2e-5" });
+  EXPECT_EQ(gone_on.code, 0) << gone_on.errors;
+  const auto another = run_from(folder, file, { "--merge", "2e-5", "--resume" });
+  EXPECT_EQ(another.code, 2);
+  EXPECT_NE(another.errors.find("merge"), std::string::npos) << another.errors;
 }
 
 /// Bytes changed in any three places: a mesh or a refusal, whatever the place.
@@ -427,6 +446,15 @@ void add_topology(Cases& cases)
     x[2] -= 2.6 * std::exp(-(x - Eigen::RowVector3d(0, 0, 1)).squaredNorm() / 0.15);
   cases.push_back(
     { "crossing.obj", obj_sample(crossing.points, crossing.faces), expect_crossing_told });
+
+  Mesh apart{ Points(3 * faces.size(), 3), {} }; // the corners of each triangle are its own
+  std::vector<int> copies(points.rows(), 0);
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      apart.points.row(3 * i + k) = (1 + 1e-7 * copies[faces[i][k]]++) * points.row(faces[i][k]);
+  for (std::int64_t i = 0; i < apart.points.rows(); i += 3)
+    apart.faces.push_back({ i, i + 1, i + 2 });
+  cases.push_back({ "seams.obj", obj_sample(apart.points, apart.faces), expect_merged_when_asked });
 
   const Faces torn(faces.begin() + 1, faces.end());
   cases.push_back(

@@ -63,6 +63,7 @@ TEST(Shape, HasWhatWasAskedFor)
     { "shape", "oblate", "--reduced-volume", "0.8", "--triangles", "320", "--basis", "linear", "-o",
       "disc.stl" });
   ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_EQ(outcome.errors, "");
   const Json report = info(folder.path(), "disc.stl");
   EXPECT_EQ(report["basis"], "linear");
   EXPECT_EQ(report["vertices"], 162);

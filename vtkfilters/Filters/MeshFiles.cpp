@@ -246,16 +246,17 @@ struct Format
 {
   std::function<Surface(const path&)> read;
   std::function<std::string(vtkPolyData*, const path&)> write; ///< returns what is lost
+  bool keeps_fields = false;
 };
 
 const std::map<std::string, Format>& formats()
 {
   static const std::map<std::string, Format> known{
-    { ".vtu", { read_xml, write_grid } },
-    { ".vtp", { read_xml, write_xml<vtkXMLPolyDataWriter> } },
+    { ".vtu", { read_xml, write_grid, true } },
+    { ".vtp", { read_xml, write_xml<vtkXMLPolyDataWriter>, true } },
     { ".pvtu", { read_xml, pieces_only } },
     { ".pvtp", { read_xml, pieces_only } },
-    { ".vtk", { read_by<read_legacy_vtk>, write_legacy } },
+    { ".vtk", { read_by<read_legacy_vtk>, write_legacy, true } },
     { ".stl", { read_by<read_stl>, write_stl } },
     { ".ply", { read_by<read_ply>, write_ply } },
     { ".obj", { read_by<read_obj>, write_obj } },
@@ -281,6 +282,11 @@ const Format& format_of(const path& file)
 void require_mesh_ending(const path& file)
 {
   format_of(file);
+}
+
+bool keeps_field_data(const path& file)
+{
+  return format_of(file).keeps_fields;
 }
 
 vtkSmartPointer<vtkPolyData> read_mesh(const path& file)

@@ -28,6 +28,9 @@ VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> read_mesh(const std::filesyst
 VESICLEFILTERS_EXPORT std::string write_mesh(
   vtkPolyData* surface, const std::filesystem::path& file);
 
+/// Whether files of this ending have field data. Throws InputError as below.
+VESICLEFILTERS_EXPORT bool keeps_field_data(const std::filesystem::path& file);
+
 /// Throws InputError listing the endings unless the file's is one of them.
 VESICLEFILTERS_EXPORT void require_mesh_ending(const std::filesystem::path& file);
 

@@ -125,10 +125,17 @@ struct vtkVesicleStepper::Internals
     {
       return vesicle::to_mesh(start);
     }
-    const auto& file = this->CurrentScene.vesicle.mesh_file;
-    return file ? vesicle::place_start_mesh(
-                    this->CurrentScene, vesicle::to_mesh(vesicle::read_mesh(*file)), notes)
-                : vesicle::make_start_mesh(this->CurrentScene);
+    const auto& wanted = this->CurrentScene.vesicle;
+    if (!wanted.mesh_file)
+    {
+      return vesicle::make_start_mesh(this->CurrentScene);
+    }
+    auto surface = vesicle::read_mesh(*wanted.mesh_file);
+    if (wanted.mesh_merge)
+    {
+      surface = vesicle::merged(surface, *wanted.mesh_merge);
+    }
+    return vesicle::place_start_mesh(this->CurrentScene, vesicle::to_mesh(surface), notes);
   }
 
   void StartAnew(vtkPolyData* start, int cache_size)

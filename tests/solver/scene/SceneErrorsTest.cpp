@@ -114,8 +114,8 @@ const std::vector<Case> cases{
   { "file_empty", with_time("[vesicle]\nfile = \"\""),
     { "s.toml:2: key 'vesicle.file': can't be empty" } },
   { "file_with_shape_key", with_time("[vesicle]\nfile = \"a.vtu\"\nreduced_volume = 0.9"),
-    { "s.toml:3: key 'vesicle.reduced_volume': does not go with 'file'; allowed: file, radius, "
-      "triangles, rotation" } },
+    { "s.toml:3: key 'vesicle.reduced_volume': does not go with 'file'; allowed: file, merge, "
+      "radius, triangles, rotation" } },
   { "key_of_other_shape", with_time("[vesicle]\nshape = \"sphere\"\nsemi_axes = [1, 1, 1]"),
     { "s.toml:3: key 'vesicle.semi_axes': does not go with shape = \"sphere\"; allowed: shape, "
       "radius" } },

@@ -39,6 +39,7 @@ void expect_same(const Scene& a, const Scene& b)
     EXPECT_EQ(va.shape.modes[i].amplitude, vb.shape.modes[i].amplitude);
   }
   EXPECT_EQ(va.mesh_file, vb.mesh_file);
+  EXPECT_EQ(va.mesh_merge, vb.mesh_merge);
   EXPECT_EQ(va.mesh_radius, vb.mesh_radius);
   EXPECT_EQ(va.mesh_triangles, vb.mesh_triangles);
   EXPECT_EQ(va.radius, vb.radius);
@@ -148,9 +149,11 @@ TEST(SceneRoundTrip, IntegersAreNumbers)
 
 TEST(SceneRoundTrip, MeshPathsAreAbsoluteAndKeepTheirLetters)
 {
-  const Scene scene = parsed("[vesicle]\nfile = \"../mesh \\\"é\\\\.vtu\"\nradius = 2\ntriangles = "
-                             "500\nrotation = [0, 3, 0, 90]");
+  const Scene scene =
+    parsed("[vesicle]\nfile = \"../mesh \\\"é\\\\.vtu\"\nmerge = 1e-9\nradius = 2\ntriangles = "
+           "500\nrotation = [0, 3, 0, 90]");
   EXPECT_EQ(scene.vesicle.mesh_file, "/mesh \"é\\.vtu");
+  EXPECT_EQ(scene.vesicle.mesh_merge, 1e-9);
   EXPECT_EQ(scene.vesicle.mesh_radius, 2.0);
   EXPECT_EQ(scene.vesicle.mesh_triangles, 500);
   EXPECT_EQ(*scene.vesicle.rotation, (std::array{ 0.0, 1.0, 0.0, 90.0 }));

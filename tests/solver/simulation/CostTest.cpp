@@ -27,10 +27,11 @@ Scene scene(const std::vector<std::string>& overrides)
 
 std::string refusal(const std::vector<std::string>& overrides, const Resources& available)
 {
-  const Scene wanted = scene(overrides);
+  Scene wanted = scene(overrides);
+  wanted.file = "folder/scene.toml";
   try
   {
-    require_affordable(cost_of(wanted, wanted.vesicle.shape.triangles), available);
+    require_affordable(wanted, wanted.vesicle.shape.triangles, available);
   }
   catch (const InputError& error)
   {
@@ -69,6 +70,7 @@ TEST(Cost, TooMuchIsRefusedWithTheNumberAndTheKey)
     [](const std::vector<std::string>& overrides, const char* number, const char* key)
   {
     const std::string text = refusal(overrides, laptop);
+    EXPECT_TRUE(text.starts_with("folder/scene.toml: ")) << text;
     EXPECT_NE(text.find(number), std::string::npos) << text;
     EXPECT_NE(text.find(key), std::string::npos) << text;
   };
