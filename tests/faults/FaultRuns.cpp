@@ -20,10 +20,12 @@ using std::filesystem::path;
 class FaultyDisk
 {
 public:
-  FaultyDisk(const path& folder, const path& counter, const Fault& fault) : counter_(counter)
+  FaultyDisk(
+    const path& folder, const path& counter, const Fault& fault, const std::string& preloaded)
+    : counter_(counter)
   {
     std::ofstream(counter, std::ios::binary) << std::string(8, '\0');
-    setenv("LD_PRELOAD", FAULTY_DISK, 1);
+    setenv("LD_PRELOAD", preloaded.c_str(), 1);
     setenv("FAULTY_FOLDER", folder.c_str(), 1);
     setenv("FAULTY_COUNTER", counter.c_str(), 1);
     setenv("FAULTY_CALL", std::to_string(fault.call).c_str(), 1);
@@ -119,13 +121,19 @@ std::string text_of(const Tally& t)
     t.faults, t.survived, t.failed_resumes, t.differing, t.crashes, t.unexplained);
 }
 
-FaultRuns::FaultRuns(std::vector<std::string> extra) : extra_(std::move(extra))
+FaultRuns::FaultRuns(std::vector<std::string> extra)
+  : extra_(std::move(extra)), preloaded_(FAULTY_DISK)
 {
   write_scene_file(folder_.path());
   const auto outcome = run("undisturbed", {});
   EXPECT_EQ(outcome.code, 0) << outcome.errors;
   undisturbed_ = files_in(folder_ / "undisturbed");
   calls_ = last_calls_;
+}
+
+void FaultRuns::set_clock_back()
+{
+  preloaded_ = std::string(FAULTY_DISK) + ":" + BACKWARD_CLOCK;
 }
 
 Outcome FaultRuns::run(
@@ -135,7 +143,7 @@ Outcome FaultRuns::run(
     "accuracy.preset=fast", "--set", "time.end=0.03", "--set", "time.output_every=0.02" };
   words.insert(words.end(), extra_.begin(), extra_.end());
   words.insert(words.end(), more.begin(), more.end());
-  const FaultyDisk disk(folder_ / output, folder_ / "counter", fault);
+  const FaultyDisk disk(folder_ / output, folder_ / "counter", fault, preloaded_);
   const auto outcome = vesicle_command(folder_.path(), words);
   last_calls_ = disk.calls();
   return outcome;

@@ -45,6 +45,9 @@ public:
   const Files& undisturbed() const { return undisturbed_; }
   const std::filesystem::path& folder() const { return folder_.path(); }
 
+  /// From now on runs find the wall clock an hour earlier each time they look.
+  void set_clock_back();
+
   /// Makes a run with that fault, or goes on with a copy of the one in `from`; then goes on without
   /// the fault: expects an exit code and a message that tell what happened, then the same files as
   /// without the fault.
@@ -61,6 +64,7 @@ private:
 
   TemporaryFolder folder_;
   std::vector<std::string> extra_;
+  std::string preloaded_; ///< libraries
   Files undisturbed_;
   std::int64_t calls_ = 0, last_calls_ = 0;
   Tally tally_;
