@@ -116,7 +116,7 @@ struct Parts
 Parts read_parts()
 {
   const path folder = parts_folder();
-  if (!std::filesystem::exists(folder / "vtk.js"))
+  if (!is_file(folder / "vtk.js"))
   {
     throw InputError("--html: this build has no vtk.js to put into pages; configure it with "
                      "-DVESICLE_HTML=ON (which fetches it with npm) and build again");

@@ -139,7 +139,7 @@ void Run::return_to_last_good_state()
 bool Run::go_on()
 {
   const auto file = folder_.checkpoint();
-  if (!std::filesystem::exists(file))
+  if (!is_there(file))
   {
     throw InputError(
       file.string() + ": there is no checkpoint to go on from; start anew with --overwrite");

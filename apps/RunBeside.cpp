@@ -1,6 +1,7 @@
 #include "apps/RunBeside.h"
 
 #include "solver/Errors.h"
+#include "solver/files/FileBytes.h"
 #include "solver/scene/SceneFile.h"
 
 #include <nlohmann/json.hpp>
@@ -56,7 +57,7 @@ RunBeside run_beside(const path& series)
     beside.scene = std::move(scene);
   }
   const path table = folder / (name + ".csv");
-  if (std::filesystem::exists(table))
+  if (is_there(table))
   {
     beside.table = read_run_table(table);
   }

@@ -103,10 +103,9 @@ Files RunFolder::numbered_files(std::string_view before_ending) const
 Files RunFolder::files() const
 {
   Files found = numbered_files("");
-  std::error_code ignored;
   for (const auto& file : named_files())
   {
-    if (std::filesystem::exists(file, ignored))
+    if (is_there(file))
     {
       found.push_back(file);
     }
@@ -117,11 +116,10 @@ Files RunFolder::files() const
 void RunFolder::sweep() const
 {
   Files parts = numbered_files(unfinished);
-  std::error_code ignored;
   for (const auto& file : named_files())
   {
     const path part = unfinished_name(file);
-    if (std::filesystem::is_regular_file(part, ignored))
+    if (is_file(part))
     {
       parts.push_back(part);
     }

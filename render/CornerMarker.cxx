@@ -61,7 +61,7 @@ bool visible(const Guide::Arrow& arrow, const View& view)
 }
 
 CornerMarker::CornerMarker(const View& view, int picture_width, int picture_height, Slot slot)
-  : view_(view), font_size_(std::max(8, static_cast<int>(font_size(font::small, picture_height))))
+  : font_size_(std::max(8, static_cast<int>(font_size(font::small, picture_height))))
 {
   const double width = side * picture_height / picture_width;
   const auto shown = [](double share) { return std::min(1., share); };

@@ -47,7 +47,6 @@ public:
   void add_text(const Point3& position, const std::string& text);
 
 private:
-  View view_;
   int font_size_;
   vtkNew<vtkRenderer> renderer_;
 };

@@ -114,9 +114,8 @@ std::optional<std::filesystem::path> find_ffmpeg()
   std::istringstream folders(path ? path : "");
   for (std::string folder; std::getline(folders, folder, ':');)
   {
-    std::error_code ignored;
     const auto program = std::filesystem::path(folder.empty() ? "." : folder) / "ffmpeg";
-    if (std::filesystem::is_regular_file(program, ignored) && access(program.c_str(), X_OK) == 0)
+    if (is_file(program) && access(program.c_str(), X_OK) == 0)
     {
       return std::filesystem::absolute(program);
     }

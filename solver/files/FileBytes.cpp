@@ -20,12 +20,6 @@ namespace
 using std::filesystem::path;
 using system_calls::fail_to_write;
 
-bool is_regular(const path& file)
-{
-  std::error_code ignored;
-  return std::filesystem::is_regular_file(file, ignored);
-}
-
 /// 0, or the system's error number. To the disk, unless it is a device.
 int write_bytes(const path& to, std::string_view bytes)
 {
@@ -82,7 +76,7 @@ int rename_to(const path& unfinished, const path& file)
 /// Half a file is worse than none; a device stays.
 [[noreturn]] void give_up(const path& unfinished, const path& file, int reason)
 {
-  if (is_regular(unfinished))
+  if (is_file(unfinished))
   {
     ::unlink(unfinished.c_str());
   }
@@ -135,10 +129,22 @@ void replace_file(const path& file, std::string_view bytes)
   }
 }
 
+bool is_there(const path& path)
+{
+  std::error_code ignored;
+  return std::filesystem::exists(path, ignored);
+}
+
+bool is_file(const path& path)
+{
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(path, ignored);
+}
+
 void require_file(const path& file)
 {
   std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored))
+  if (!is_there(file))
   {
     throw InputError(fmt::format("{}: there is no such file; check the path", file.string()));
   }

@@ -22,6 +22,11 @@ std::filesystem::path unfinished_name(const std::filesystem::path& file);
 /// on the disk. Throws IoError; nothing unfinished is then left.
 void finish_file(const std::filesystem::path& file);
 
+/// Whether something is there, or a file. Neither throws, as std::filesystem does for names that the
+/// system doesn't take: too long, links that go round.
+bool is_there(const std::filesystem::path& path);
+bool is_file(const std::filesystem::path& path);
+
 /// Throws InputError if there is none, IoError if it can't be read.
 std::string read_file(const std::filesystem::path& file);
 /// Throws InputError unless there is a file.

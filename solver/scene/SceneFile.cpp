@@ -2,6 +2,7 @@
 
 #include "solver/Errors.h"
 #include "solver/Joined.h"
+#include "solver/files/FileBytes.h"
 #include "solver/scene/NearestName.h"
 #include "solver/scene/SceneDocument.h"
 #include "solver/scene/SceneSchema.h"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <fstream>
 #include <sstream>
-#include <system_error>
 
 namespace vesicle
 {
@@ -95,17 +95,16 @@ std::string text_of(const std::filesystem::path& file)
   std::ostringstream text;
   if (stream)
     text << stream.rdbuf();
-  if (!stream || std::filesystem::is_directory(file))
+  if (!stream || text.bad()) // folders can be opened, but not read
     throw InputError(fmt::format("{}: can't be read: {}; allowed: a scene in TOML", file.string(),
-      std::filesystem::exists(file) ? "not a readable file" : "no such file"));
+      is_there(file) ? "not a readable file" : "no such file"));
   return text.str();
 }
 
 /// A missing mesh is better said here, with the scene's line, than when it is read.
 void check_mesh_exists(const SceneDocument& document, const Scene& scene)
 {
-  std::error_code ignored;
-  if (scene.vesicle.mesh_file && !std::filesystem::exists(*scene.vesicle.mesh_file, ignored))
+  if (scene.vesicle.mesh_file && !is_there(*scene.vesicle.mesh_file))
     TableReader(document, "vesicle")
       .fail("file", fmt::format("there is no {}", scene.vesicle.mesh_file->string()),
         "the path of a mesh, relative to the scene's folder or absolute");

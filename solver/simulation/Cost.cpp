@@ -1,6 +1,7 @@
 #include "solver/simulation/Cost.h"
 
 #include "solver/Errors.h"
+#include "solver/files/FileBytes.h"
 
 #include <fmt/format.h>
 
@@ -74,7 +75,7 @@ Resources resources_for(const std::filesystem::path& folder)
   available.memory = std::min(pages * page, number_in("/sys/fs/cgroup/memory.max"));
   std::filesystem::path existing = std::filesystem::absolute(folder);
   std::error_code unknown;
-  while (!std::filesystem::exists(existing, unknown) && existing.has_relative_path())
+  while (!is_there(existing) && existing.has_relative_path())
     existing = existing.parent_path();
   const auto space = std::filesystem::space(existing, unknown);
   available.disk = unknown ? INFINITY : static_cast<double>(space.available);

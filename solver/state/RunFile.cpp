@@ -149,7 +149,7 @@ struct RunFile::Impl
   {
     file.reset();
     const std::string bytes = run_file_image(contents, contents.rows()).bytes;
-    if (!std::filesystem::exists(path) || read_file(path) != bytes)
+    if (!is_there(path) || read_file(path) != bytes)
     {
       replace_file(path, bytes);
     }

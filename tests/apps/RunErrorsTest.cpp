@@ -61,6 +61,25 @@ TEST_F(RunErrors, MissingScene)
   expect_mentions(outcome, "none.toml");
 }
 
+TEST_F(RunErrors, NamesThatTheSystemDoesNotTakeAreMissingFiles)
+{
+  std::filesystem::create_symlink("round.toml", folder / "round.toml");
+  std::filesystem::create_symlink("round.vtu", folder / "round.vtu");
+  std::ofstream(folder / "round.pvtu")
+    << "<VTKFile type=\"PUnstructuredGrid\"><PUnstructuredGrid>"
+       "<Piece Source=\"round.vtu\"/></PUnstructuredGrid></VTKFile>";
+  const std::string too_long(300, 'a');
+  const std::vector<std::vector<std::string>> commands{ { "run", too_long + ".toml" },
+    { "run", "round.toml" }, { "info", too_long + ".vtu" }, { "info", "round.vtu" },
+    { "info", "round.pvtu" } };
+  for (const auto& arguments : commands)
+  {
+    const auto outcome = vesicle_command(folder.path(), arguments);
+    EXPECT_EQ(outcome.code, 2) << outcome.errors;
+    EXPECT_EQ(outcome.errors.find("filesystem"), std::string::npos) << outcome.errors;
+  }
+}
+
 TEST_F(RunErrors, UnknownKeyNamesTheNearest)
 {
   const auto outcome = run({ "--set", "fluid.viscocity=2" });

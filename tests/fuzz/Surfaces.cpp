@@ -17,7 +17,8 @@ namespace
 void require_values(vtkFieldData* arrays, vtkIdType count)
 {
   for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
-    require(arrays->GetAbstractArray(i)->GetNumberOfTuples() >= count, "an array is too short");
+    require(arrays->GetAbstractArray(i)->GetNumberOfTuples() == count,
+      "an array is too short or too long");
 }
 
 }

@@ -9,6 +9,7 @@
 #include "tests/support/TemporaryFolder.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -178,6 +179,26 @@ TEST_P(DamagedInput, IsRefusedByTheWriters)
   }
   SeriesWriter series(folder.path(), "series");
   EXPECT_THROW(series.append(surface_, 0), InputError);
+}
+
+TEST(SurplusValues, AreLeftOut)
+{
+  const auto surface = to_polydata(geodesic_sphere(4));
+  vtkNew<vtkDoubleArray> of_points, of_cells;
+  for (vtkDoubleArray* array : { of_points.Get(), of_cells.Get() })
+  {
+    array->SetName("long");
+    for (int i = 0; i < 1000; ++i)
+      array->InsertNextValue(i);
+  }
+  surface->GetPointData()->SetScalars(of_points);
+  surface->GetCellData()->AddArray(of_cells);
+  const auto triangles = triangulated(surface);
+  EXPECT_EQ(of_points->GetNumberOfTuples(), 1000);
+  ASSERT_NE(triangles->GetPointData()->GetScalars(), nullptr);
+  EXPECT_EQ(triangles->GetPointData()->GetScalars()->GetNumberOfTuples(), 162);
+  EXPECT_EQ(triangles->GetPointData()->GetScalars()->GetComponent(161, 0), 161);
+  EXPECT_EQ(triangles->GetCellData()->GetArray("long")->GetNumberOfTuples(), 320);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, DamagedInput, testing::ValuesIn(damages()),

@@ -43,9 +43,9 @@ VESICLEFILTERS_EXPORT vtkSmartPointer<vtkUnstructuredGrid> to_unstructured_grid(
   vtkPolyData* surface);
 
 // The three ways in, each checked before anything follows a number of it: offsets and corners of
-// cells, finite coordinates, a value of each array for each point and cell. Polygons and strips are
-// cut into triangles as triangulate() of the solver does, vertices and lines left out; arrays pass
-// through, those of cells with their polygons. Throw InputError "name: …" with the face and the
+// cells, finite coordinates, a value of each array for each point and cell (what it has beyond is
+// left out). Polygons and strips are cut into triangles as triangulate() of the solver does, vertices
+// and lines left out; arrays pass through, those of cells with their polygons. Throw InputError "name: …" with the face and the
 // index.
 
 VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> triangulated(

@@ -83,8 +83,7 @@ void SeriesWriter::require_frames(std::size_t count) const
     for (const char* ending : { ".vtu", ".h5" })
     {
       const auto frame = folder_ / frame_name(i, ending);
-      std::error_code ignored;
-      if (!std::filesystem::is_regular_file(frame, ignored))
+      if (!is_file(frame))
       {
         throw InputError(
           fmt::format("{}: this frame is missing, and the run can't go on without it; bring it "

@@ -169,6 +169,22 @@ bool has_only(vtkPolyData* surface, const Triangulation& triangulation)
     surface->GetNumberOfCells() == triangles;
 }
 
+/// The first `count` values of each array: what follows belongs to nothing, and no file can hold it.
+template<typename Data>
+vtkSmartPointer<Data> without_surplus(Data* arrays, std::int64_t count)
+{
+  bool surplus = false;
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+    surplus = surplus || arrays->GetAbstractArray(i)->GetNumberOfTuples() > count;
+  if (!surplus)
+    return arrays;
+  auto cut = vtkSmartPointer<Data>::New();
+  cut->CopyAllOn();
+  cut->CopyAllocate(arrays, count);
+  cut->CopyData(arrays, 0, count, 0);
+  return cut;
+}
+
 template<typename Data>
 vtkSmartPointer<vtkPolyData> as_triangles(Data* surface, const std::string& name)
 {
@@ -178,6 +194,8 @@ vtkSmartPointer<vtkPolyData> as_triangles(Data* surface, const std::string& name
   check_corners(cells.polygons, points.rows(), name);
   check_arrays(surface->GetPointData(), points.rows(), "points", name);
   check_arrays(surface->GetCellData(), cells.count, "cells", name);
+  const auto point_data = without_surplus(surface->GetPointData(), points.rows());
+  const auto cell_data = without_surplus(surface->GetCellData(), cells.count);
   const Triangulation triangulation = triangulate(points, cells.polygons, name);
   if constexpr (std::is_same_v<Data, vtkPolyData>)
   {
@@ -185,11 +203,13 @@ vtkSmartPointer<vtkPolyData> as_triangles(Data* surface, const std::string& name
     {
       auto same = vtkSmartPointer<vtkPolyData>::New();
       same->ShallowCopy(surface);
+      same->GetPointData()->ShallowCopy(point_data);
+      same->GetCellData()->ShallowCopy(cell_data);
       return same;
     }
   }
-  return with_triangles(surface->GetPoints(), surface->GetPointData(), surface->GetCellData(),
-    surface->GetFieldData(), triangulation);
+  return with_triangles(
+    surface->GetPoints(), point_data, cell_data, surface->GetFieldData(), triangulation);
 }
 
 template<typename T>

@@ -260,7 +260,7 @@ std::vector<SurfaceFile> read_piece_files(const XmlElement& data_set, const path
     if (!seen.insert(source.lexically_normal()).second)
       throw InputError(
         fmt::format("{}: the piece {} is there twice", file.string(), element.attribute("Source")));
-    if (!std::filesystem::is_regular_file(source))
+    if (!is_file(source))
       throw InputError(fmt::format(
         "{}: its piece {} is missing; bring it beside this file", file.string(), source.string()));
     for (SurfaceFile& piece : read_file_with_pieces(source))
