@@ -152,6 +152,17 @@ TEST(MeshFilesLosses, AreNotTheColoursOfObjPoints)
   }
 }
 
+TEST(MeshFilesLosses, CoordinatesBeyondSinglePrecisionAreNoStl)
+{
+  const TemporaryFolder folder;
+  TriangleMesh mesh = geodesic_sphere(2);
+  mesh.points *= 1e40;
+  EXPECT_THROW(write_mesh(to_polydata(mesh), folder / "large.stl"), InputError);
+  EXPECT_FALSE(std::filesystem::exists(folder / "large.stl"));
+  EXPECT_EQ(write_mesh(to_polydata(mesh), folder / "large.ply"), "");
+  EXPECT_EQ(to_mesh(read_mesh(folder / "large.ply")).points, mesh.points);
+}
+
 TEST(MeshFilesLosses, OfShapeFarFromTheOriginAreSaid)
 {
   const TemporaryFolder folder;

@@ -31,6 +31,7 @@
 #include <algorithm>
 #include <cctype>
 #include <functional>
+#include <limits>
 #include <map>
 
 namespace vesicle
@@ -177,6 +178,13 @@ std::string rounding_loss(const path& file, const Points& points)
 std::string write_stl(vtkPolyData* surface, const path& file)
 {
   const TriangleMesh mesh = to_mesh(surface);
+  if (!mesh.points.cast<float>().allFinite())
+  {
+    throw InputError(
+      fmt::format("{}: holds single precision, which ends at {:.2g}, below these "
+                  "coordinates; choose another unit of length, or write .ply or .vtu",
+        file.string(), std::numeric_limits<float>::max()));
+  }
   replace_file(file, stl_bytes(mesh));
   const std::string rounded = rounding_loss(file, mesh.points);
   const std::string lost = loss(file, all_names(surface), keeps_all);
