@@ -10,9 +10,18 @@ namespace vesicle
 GmresResult gmres(const LinearMap& A, const LinearMap& preconditioner, const Eigen::VectorXd& b,
   double tolerance, int max_iterations)
 {
+  const double wanted = tolerance * b.norm();
+  return gmres(
+    A, preconditioner, b, [&](const Eigen::VectorXd&) { return wanted; }, max_iterations);
+}
+
+GmresResult gmres(const LinearMap& A, const LinearMap& preconditioner, const Eigen::VectorXd& b,
+  const std::function<double(const Eigen::VectorXd&)>& wanted, int max_iterations)
+{
   const double norm = b.norm();
-  if (!(norm > 0))
-    return { Eigen::VectorXd::Zero(b.size()), 0, 0 };
+  double target = wanted({});
+  if (!(norm > target))
+    return { Eigen::VectorXd::Zero(b.size()), 0, norm > 0 ? 1. : 0., true };
 
   std::vector<Eigen::VectorXd> basis{ b / norm }, preconditioned;
   Eigen::MatrixXd R = Eigen::MatrixXd::Zero(max_iterations + 1, max_iterations);
@@ -20,7 +29,16 @@ GmresResult gmres(const LinearMap& A, const LinearMap& preconditioner, const Eig
   g[0] = norm;
   std::vector<Eigen::JacobiRotation<double>> rotations;
   int k = 0;
-  while (k < max_iterations && std::abs(g[k]) > tolerance * norm)
+  const auto coefficients = [&]() -> Eigen::VectorXd
+  { return R.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(g.head(k)); };
+  const auto converged = [&]
+  {
+    if (std::abs(g[k]) > target)
+      return false;
+    target = wanted(coefficients());
+    return std::abs(g[k]) <= target;
+  };
+  while (k < max_iterations && !converged())
   {
     preconditioned.push_back(preconditioner(basis[k]));
     Eigen::VectorXd w = A(preconditioned[k]);
@@ -46,11 +64,11 @@ GmresResult gmres(const LinearMap& A, const LinearMap& preconditioner, const Eig
     basis.push_back(w / h);
   }
 
-  const Eigen::VectorXd y = R.topLeftCorner(k, k).triangularView<Eigen::Upper>().solve(g.head(k));
+  const Eigen::VectorXd y = coefficients();
   Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
   for (int i = 0; i < k; ++i)
     x += y[i] * preconditioned[i];
-  return { x, k, std::abs(g[k]) / norm };
+  return { x, k, std::abs(g[k]) / norm, std::abs(g[k]) <= target };
 }
 
 }

@@ -19,10 +19,16 @@ struct GmresResult
   Eigen::VectorXd solution;
   int iterations = 0;
   double residual = 0; ///< ‖b − A x‖/‖b‖ as the recurrence estimates it
+  bool converged = false;
 };
 
 /// Solves A x = b to the relative residual `tolerance` or until `max_iterations`.
 GmresResult gmres(const LinearMap& A, const LinearMap& preconditioner, const Eigen::VectorXd& b,
   double tolerance, int max_iterations);
+/// The same until ‖b − A x‖ is at most what `wanted` says of x's coefficients in the preconditioned
+/// basis, of which the i-th was the argument of the i-th call of A. Asked where the residual has
+/// fallen below what was wanted last.
+GmresResult gmres(const LinearMap& A, const LinearMap& preconditioner, const Eigen::VectorXd& b,
+  const std::function<double(const Eigen::VectorXd&)>& wanted, int max_iterations);
 
 }

@@ -1,6 +1,9 @@
 #include "solver/dynamics/MeshMotion.h"
 
+#include "solver/dynamics/TangentialMotion.h"
+
 #include <algorithm>
+#include <cmath>
 
 namespace vesicle
 {
@@ -50,6 +53,27 @@ Points equidistributing_velocity(const Surface& surface, const AdjacencyList& ne
     w.row(i) = U + (velocity.row(i) - U).dot(n) * n + kappa * (to_mean - to_mean.dot(n) * n);
   }
   return w;
+}
+
+Points sliding_velocity(const VesicleLoads& loads, const AdjacencyList& neighbours,
+  const Points& velocity, double scene_rate, double tau, const Points& reference)
+{
+  // The mobility of a force on an edge's length of membrane, in edges: 1/(4k) at the shortest wave
+  // k = π/h is h/13; a multiple moves the mesh as far as the steps allow.
+  constexpr double mobility_in_edges = 0.125;
+  const Surface& surface = loads.surface();
+  const Row3 U = surface.mean_velocity(flat(velocity)).transpose();
+  const Eigen::VectorXd normal =
+    surface.normals.cwiseProduct(velocity.rowwise() - U).rowwise().sum();
+  const Points motion = rows_of_three(scaled_rows(surface.normals, normal)).rowwise() + U;
+  const Points wanted =
+    equidistributing_velocity(surface, neighbours, velocity, scene_rate) - motion;
+  const double released = -loads.gradient().dot(loads.motion().velocity(normal)),
+               edge = std::sqrt(surface.area / static_cast<double>(surface.vertices.rows()));
+  const Points relative = reference.rows() > 0 ? Points(reference.rowwise() - U) : Points(0, 3);
+  return motion +
+    rows_of_three(tangential_motion(
+      loads, flat(wanted), flat(relative), released, tau, mobility_in_edges * edge));
 }
 
 }

@@ -4,7 +4,7 @@
 
 #include "solver/mesh/Connectivity.h"
 #include "solver/mesh/TriangleMesh.h"
-#include "solver/surface/Surface.h"
+#include "solver/dynamics/VesicleLoads.h"
 
 namespace vesicle
 {
@@ -14,6 +14,12 @@ namespace vesicle
 /// scene's rate. N by 3.
 Points equidistributing_velocity(const Surface& surface, const AdjacencyList& neighbours,
   const Points& velocity, double scene_rate);
+
+/// The same on a smooth surface, where the motion along the surface costs no energy, area or volume,
+/// and goes down the energy that the mesh itself has, implicitly over τ (TangentialMotion.h).
+/// `reference`: node velocities, or without rows.
+Points sliding_velocity(const VesicleLoads& loads, const AdjacencyList& neighbours,
+  const Points& velocity, double scene_rate, double tau, const Points& reference);
 
 /// κ of the above; a step dt with κ dt > 1/2 would overshoot.
 double relaxation_rate(const Surface& surface, const Points& velocity, double scene_rate);

@@ -18,24 +18,12 @@
 // there.
 
 #include "solver/dynamics/StageBlock.h"
+#include "solver/dynamics/StageSolution.h"
 
 namespace vesicle
 {
 
 class Preconditioner;
-
-struct StageSolution
-{
-  struct Part
-  {
-    Eigen::VectorXd stiff_force; ///< φ + ψ: N or empty
-    Eigen::VectorXd tension;     ///< γ: N or empty
-    double volume_speed = 0;     ///< c
-  };
-  Eigen::VectorXd velocity; ///< of all vertices: 3N
-  std::vector<Part> vesicles;
-  int iterations = 0;
-};
 
 class StageSystem
 {

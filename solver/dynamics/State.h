@@ -20,10 +20,11 @@ struct VesicleState
   Points velocity;         ///< #vertices by 3, of the fluid at the vertices
   Points node_velocity;    ///< #vertices by 3, of the vertices (their tangential part is free)
   Eigen::VectorXd tension; ///< #vertices; empty without incompressibility
-  /// #vertices: normal force density of the stiff terms (bending) as the dynamics used it; empty
-  /// without.
+  /// Force density of the stiff terms (bending) as the dynamics used it: along the normal on flat
+  /// triangles, #vertices, nodal vectors on smooth surfaces, 3 #vertices; empty without.
   Eigen::VectorXd stiff_force;
   double volume_speed = 0; ///< multiplier c of the volume row
+  double pressure = 0;     ///< multiplier p of the volume's load; smooth surfaces only
 
   double target_area = 0;
   double target_volume = 0;

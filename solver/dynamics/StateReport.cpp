@@ -22,10 +22,23 @@ std::vector<NodalForce> forces_used(const VesicleShape& shape, const VesicleStat
     for (std::size_t t = 0; t < forces.size(); ++t)
       if (shape.vesicle->terms[t]->stiff())
       {
-        forces[t].normal += state.stiff_force - shape.stiff_force;
+        (shape.loads ? forces[t].vector : forces[t].normal) +=
+          state.stiff_force - shape.stiff_force;
         break;
       }
   return forces;
+}
+
+/// What the constraints add to the tension: what the discrete pressure has beyond a uniform one, and
+/// what holds a taut sphere. Smooth surfaces only.
+NodalForce constraint_force(const VesicleShape& shape, const VesicleState& state)
+{
+  if (!shape.loads)
+    return {};
+  Eigen::VectorXd load = shape.loads->pressure_load(state.pressure);
+  if (shape.loads->taut())
+    load += shape.loads->taut_load(flat(state.velocity));
+  return { {}, shape.loads->density(load) };
 }
 
 template<class Selects>
@@ -55,7 +68,7 @@ bool empty(const NodalForce& force)
 
 double power(const VesicleShape& shape, const NodalForce& force, const Eigen::VectorXd& velocity)
 {
-  return empty(force) ? 0 : shape.basis->power(force, velocity);
+  return empty(force) ? 0 : shape.basis().power(force, velocity);
 }
 
 }
@@ -119,17 +132,25 @@ void StateReport::add_power(const VesicleShape& shape, const VesicleState& state
   const Eigen::VectorXd& imposed, Diagnostics& d) const
 {
   const std::vector<NodalForce> forces = forces_used(shape, state);
-  const NodalForce load = sum_of(forces, shape, external), membrane = sum_of(forces, shape, own);
+  const NodalForce load = sum_of(forces, shape, external);
+  NodalForce membrane = sum_of(forces, shape, own);
+  membrane += constraint_force(shape, state);
   const auto total = [&](const Eigen::VectorXd& v)
   {
     const double tension =
-      state.tension.size() > 0 ? shape.basis->tension_power(state.tension, v) : 0;
+      state.tension.size() > 0 ? shape.basis().tension_power(state.tension, v) : 0;
     return power(shape, membrane, v) + tension + power(shape, load, v);
   };
   const Eigen::VectorXd u = flat(state.velocity);
   const double against = system_.flow ? total(imposed) : 0;
   d.power_in = (power(shape, load, u) - against) * scales_.power();
   d.dissipation = (total(u) - against) * scales_.power();
+  // On smooth surfaces all that dissipates, what the fluid does, the tension's filter, the time
+  // step and the mesh's own motion: the energy that is reported changes by the rest.
+  if (shape.loads)
+    d.dissipation = d.power_in -
+      scales_.power() *
+        shape.loads->gradient().dot(shape.surface->to_control(flat(state.node_velocity)));
 }
 
 void StateReport::add_shape(const VesicleShape& shape, Diagnostics& d) const
@@ -159,10 +180,11 @@ void StateReport::add_flow(const VesicleShape& shape, const VesicleState& state,
     tank_treading_frequency(sample.mesh, sample.field, surface.center, U) / scales_.time();
 
   RowVectors force;
-  const NodalForce membrane = sum_of(forces_used(shape, state), shape, own);
+  NodalForce membrane = sum_of(forces_used(shape, state), shape, own);
+  membrane += constraint_force(shape, state);
   if (!empty(membrane))
     force = interpolate(
-      table, rows_of_three(surface.to_control(flat(shape.basis->at_vertices(membrane)))));
+      table, rows_of_three(surface.to_control(flat(shape.basis().at_vertices(membrane)))));
   Eigen::VectorXd tension;
   if (state.tension.size() > 0)
     tension = interpolate(table, state.tension);
@@ -191,17 +213,21 @@ std::map<std::string, Eigen::MatrixXd> StateReport::fields(
   for (std::size_t t = 0; t < forces.size(); ++t)
   {
     const MembraneTerm& term = *shape.vesicle->terms[t];
-    const Points force = shape.basis->at_vertices(forces[t]);
+    const Points force = shape.basis().at_vertices(forces[t]);
     fields[term.name() + "_Force"] = force * scales_.force_density();
     if (!term.external())
       membrane += force;
   }
+  Points constraint = Points::Zero(membrane.rows(), 3);
+  if (const NodalForce force = constraint_force(shape, vesicle); !empty(force))
+    constraint = shape.basis().at_vertices(force);
+  membrane += constraint;
   if (vesicle.tension.size() > 0)
   {
-    const Points force = shape.basis->tension_at_vertices(vesicle.tension);
+    const Points force = shape.basis().tension_at_vertices(vesicle.tension) + constraint;
     fields["Tension"] = surface.collocation().at_vertices(vesicle.tension) * scales_.tension();
     fields["Tension_Force"] = force * scales_.force_density();
-    membrane += force;
+    membrane += force - constraint;
   }
   fields["Membrane_Force"] = membrane * scales_.force_density();
   return fields;

@@ -14,11 +14,6 @@ namespace
 {
 
 constexpr double sdirk_gamma = 1 - 1 / std::numbers::sqrt2;
-// Above this many iterations a new factorisation pays for itself in the following solves.
-constexpr int stale_iterations = 12;
-// A factorisation helps only near the step it was made for.
-constexpr double stale_step_ratio = 2;
-constexpr int max_iterations = 60;
 // Nodes relax towards equal areas by less than half the way in a step, and pass less than a quarter
 // of an edge of membrane flow.
 constexpr double longest_relaxation = 0.5;
@@ -114,7 +109,7 @@ Stepper::Stepper(System system, const StepperSettings& settings)
   for (const Vesicle& vesicle : system_.vesicles)
     neighbours_.push_back(
       Connectivity(vesicle.space->triangles(), vesicle.space->nodes()).vertex_neighbours);
-  work_.preconditioner = std::make_unique<DensePreconditioner>();
+  stages_ = make_stage_solver(system_);
 }
 
 double Stepper::implicit_fraction() const
@@ -124,9 +119,9 @@ double Stepper::implicit_fraction() const
 
 std::shared_ptr<const SystemShape> Stepper::shape(const std::vector<Points>& points)
 {
-  if (!work_.shape || work_.shape->points != points)
-    work_.shape = std::make_shared<const SystemShape>(system_, points);
-  return work_.shape;
+  if (!shape_ || shape_->points != points)
+    shape_ = std::make_shared<const SystemShape>(system_, points);
+  return shape_;
 }
 
 std::shared_ptr<const SystemShape> Stepper::shape(const State& state)
@@ -154,80 +149,39 @@ double Stepper::longest_step(const State& state)
   return longest;
 }
 
-void Stepper::factorize(
-  const StageSystem& stage, State& state, const std::vector<Points>& points, double dt)
-{
-  work_.preconditioner->build(stage);
-  work_.made_for = { points, dt };
-  state.preconditioner = work_.made_for;
-}
-
-// After a restart the factorisation is made again where the uninterrupted run made it.
-void Stepper::restore_preconditioner(const State& state)
-{
-  const PreconditionerState& wanted = state.preconditioner;
-  if (wanted.step == 0 ||
-    (work_.made_for.step == wanted.step && work_.made_for.points == wanted.points))
-    return;
-  const auto there = shape(wanted.points);
-  const std::vector<Mobility> mobility = mobilities(*there);
-  State unused;
-  factorize(StageSystem(*there, mobility, implicit_fraction() * wanted.step, {}), unused,
-    wanted.points, wanted.step);
-}
-
-Stepper::Stage Stepper::solve_stage(
+Stepper::Solved Stepper::solve_stage(
   State& state, const std::vector<Points>& points, double dt, const Eigen::VectorXd& reference)
 {
-  restore_preconditioner(state);
-  Stage stage{ shape(points), {} };
-  const std::vector<Mobility> mobility = mobilities(*stage.shape);
-  const StageSystem system(*stage.shape, mobility, implicit_fraction() * dt, reference);
-  const auto solve = [&]
-  {
-    stage.solution =
-      system.solve(*work_.preconditioner, settings_.linear_tolerance, max_iterations);
-  };
-  const double ratio = state.preconditioner.step > 0 ? dt / state.preconditioner.step : 0;
-  const bool fresh = !(ratio < stale_step_ratio && ratio > 1 / stale_step_ratio) ||
-    work_.preconditioner->size() != system.unknowns();
-  if (system.unknowns() > 0 && fresh)
-    factorize(system, state, points, dt);
-  try
-  {
-    solve();
-  }
-  catch (const NumericalError&)
-  {
-    if (fresh)
-      throw;
-    factorize(system, state, points, dt);
-    solve();
-  }
-  state.iterations += stage.solution.iterations;
-  if (stage.solution.iterations > stale_iterations)
-    state.preconditioner.step = 0; // the next solve makes a new one
-  return stage;
+  const auto there = shape(points);
+  const double tau = implicit_fraction() * dt;
+  return { there, stages_->solve(*there, { dt, tau, reference, settings_.linear_tolerance }, state),
+    tau };
 }
 
-std::vector<Points> Stepper::node_velocities(const Stage& stage) const
+// `reference`: the state whose node velocities the implicit part is measured from, or nullptr.
+std::vector<Points> Stepper::node_velocities(const Solved& stage, const State* reference) const
 {
   std::vector<Points> result;
   for (std::size_t v = 0; v < stage.shape->vesicles.size(); ++v)
   {
+    const VesicleShape& shape = stage.shape->vesicles[v];
     const Points velocity = rows_of_three(stage.shape->part(stage.solution.velocity, v));
-    result.push_back(settings_.mesh_motion == MeshMotion::material
-        ? velocity
-        : equidistributing_velocity(
-            *stage.shape->vesicles[v].surface, neighbours_[v], velocity, system_.rate()));
+    if (settings_.mesh_motion == MeshMotion::material)
+      result.push_back(velocity);
+    else if (shape.loads)
+      result.push_back(sliding_velocity(*shape.loads, neighbours_[v], velocity, system_.rate(),
+        stage.tau, reference ? reference->vesicles[v].node_velocity : Points(0, 3)));
+    else
+      result.push_back(
+        equidistributing_velocity(*shape.surface, neighbours_[v], velocity, system_.rate()));
   }
   return result;
 }
 
 void Stepper::solve(State& state)
 {
-  const Stage stage = solve_stage(state, points_of(state), state.controller.next_step, {});
-  const std::vector<Points> node_velocity = node_velocities(stage);
+  const Solved stage = solve_stage(state, points_of(state), state.controller.next_step, {});
+  const std::vector<Points> node_velocity = node_velocities(stage, nullptr);
   for (std::size_t v = 0; v < state.vesicles.size(); ++v)
   {
     VesicleState& vesicle = state.vesicles[v];
@@ -237,6 +191,7 @@ void Stepper::solve(State& state)
     vesicle.tension = part.tension;
     vesicle.stiff_force = part.stiff_force;
     vesicle.volume_speed = part.volume_speed;
+    vesicle.pressure = part.pressure;
   }
 }
 
@@ -274,8 +229,8 @@ void Stepper::advance_midpoint(
   std::vector<Points> halfway = points_of(before);
   for (std::size_t v = 0; v < halfway.size(); ++v)
     halfway[v] += dt / 2 * before.vesicles[v].node_velocity;
-  const Stage middle = solve_stage(after, halfway, dt, relative);
-  const std::vector<Points> node_velocity = node_velocities(middle);
+  const Solved middle = solve_stage(after, halfway, dt, relative);
+  const std::vector<Points> node_velocity = node_velocities(middle, &before);
   for (std::size_t v = 0; v < halfway.size(); ++v)
     after.vesicles[v].points = before.vesicles[v].points + dt * node_velocity[v];
   report.error = dt * largest_normal(*middle.shape, middle.solution.velocity - velocity_of(before));

@@ -2,8 +2,7 @@
 // One time step of a dimensionless system.
 
 #include "solver/dynamics/MeshMotion.h"
-#include "solver/dynamics/Preconditioner.h"
-#include "solver/dynamics/StageSystem.h"
+#include "solver/dynamics/StageSolver.h"
 #include "solver/dynamics/State.h"
 #include "solver/dynamics/StepControl.h"
 #include "solver/dynamics/Method.h"
@@ -54,28 +53,18 @@ public:
   void complete(const State& before, const State& after, StepReport& report);
 
 private:
-  struct Stage
+  struct Solved
   {
     std::shared_ptr<const SystemShape> shape;
     StageSolution solution;
-  };
-  /// What is kept between steps and never changes a result: buffers and the factorisation that the
-  /// state's PreconditionerState stands for.
-  struct Workspace
-  {
-    std::shared_ptr<const SystemShape> shape;
-    std::unique_ptr<Preconditioner> preconditioner;
-    PreconditionerState made_for;
+    double tau; ///< implicit time
   };
 
   std::shared_ptr<const SystemShape> shape(const std::vector<Points>& points);
-  Stage solve_stage(
+  Solved solve_stage(
     State& state, const std::vector<Points>& points, double dt, const Eigen::VectorXd& reference);
-  void factorize(
-    const StageSystem& stage, State& state, const std::vector<Points>& points, double dt);
-  void restore_preconditioner(const State& state);
   double implicit_fraction() const;
-  std::vector<Points> node_velocities(const Stage& stage) const;
+  std::vector<Points> node_velocities(const Solved& stage, const State* reference) const;
   void advance_midpoint(
     const State& before, State& after, const Eigen::VectorXd& relative, StepReport& report);
   void restore_area_and_volume(State& after, const SystemShape& start, StepReport& report);
@@ -83,7 +72,9 @@ private:
   System system_;
   StepperSettings settings_;
   std::vector<AdjacencyList> neighbours_; ///< of each vesicle's vertices
-  Workspace work_;
+  // What is kept between steps and never changes a result.
+  std::shared_ptr<const SystemShape> shape_; ///< of the last shapes asked for
+  std::unique_ptr<StageSolver> stages_;
 };
 
 /// Of all vesicles.

@@ -6,6 +6,7 @@
 #include "solver/membrane/Incompressibility.h"
 #include "solver/membrane/MembraneTerm.h"
 #include "solver/stokes/LayerRules.h"
+#include "solver/surface/NodeMotion.h"
 
 #include <memory>
 #include <vector>
@@ -24,6 +25,8 @@ struct Vesicle
   /// A row for the volume in the linear problem, area and volume restored after each step. The
   /// paper's scheme has neither.
   bool conserved = true;
+  /// How the nodes of a smooth surface follow the fluid, which its loads are the adjoint of.
+  NodeMotionKind motion = NodeMotionKind::normal;
 
   bool stiff() const;
   /// Of the terms that are the membrane's own; without any the curvature's, for reports.

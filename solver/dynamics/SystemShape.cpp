@@ -16,12 +16,22 @@ void add(std::optional<Linearisation>& sum, Linearisation&& part)
 
 }
 
-VesicleShape::VesicleShape(const Vesicle& v, const Points& points)
-  : vesicle(&v), surface(std::make_unique<Surface>(*v.space, points)),
-    basis(make_force_basis(*surface, v.incompressibility.get()))
+VesicleShape::VesicleShape(const Vesicle& v, const Points& points, double rate)
+  : vesicle(&v), surface(std::make_unique<Surface>(*v.space, points))
 {
+  if (v.incompressibility)
+    constraint = std::make_shared<const ConstraintRows>(v.incompressibility->rows(*surface));
+  if (v.space->smooth())
+    add_loads(rate);
+  else
+    add_flat_forces();
+}
+
+void VesicleShape::add_flat_forces()
+{
+  lumped = std::make_unique<LumpedForces>(*surface, vesicle->incompressibility.get());
   NodalForce stiff;
-  for (const auto& term : v.terms)
+  for (const auto& term : vesicle->terms)
   {
     TermForce force = term->force(*surface);
     (term->stiff() ? stiff : other_force) += force.density;
@@ -30,19 +40,29 @@ VesicleShape::VesicleShape(const Vesicle& v, const Points& points)
       add(linearisation, std::move(*force.linearisation));
   }
   stiff_force = std::move(stiff.normal);
-  if (v.incompressibility)
-    constraint = v.incompressibility->rows(*surface);
+}
+
+void VesicleShape::add_loads(double rate)
+{
+  loads = std::make_unique<VesicleLoads>(*vesicle, *surface, constraint, rate);
+  NodalForce stiff;
+  for (std::size_t t = 0; t < vesicle->terms.size(); ++t)
+  {
+    forces.push_back({ {}, loads->density(loads->loads()[t]) });
+    (vesicle->terms[t]->stiff() ? stiff : other_force) += forces.back();
+  }
+  stiff_force = std::move(stiff.vector);
 }
 
 NodalForce VesicleShape::force() const
 {
-  NodalForce sum{ stiff_force, {} };
+  NodalForce sum = loads ? NodalForce{ {}, stiff_force } : NodalForce{ stiff_force, {} };
   return sum += other_force;
 }
 
 Mobility::Columns VesicleShape::columns() const
 {
-  return { stiff_force.size() > 0 || other_force.normal.size() > 0, constraint.has_value(),
+  return { stiff_force.size() > 0 || other_force.normal.size() > 0, constraint != nullptr,
     other_force.vector };
 }
 
@@ -51,7 +71,7 @@ SystemShape::SystemShape(const System& system, const std::vector<Points>& at)
 {
   for (std::size_t i = 0; i < system.vesicles.size(); ++i)
   {
-    vesicles.emplace_back(system.vesicles[i], points[i]);
+    vesicles.emplace_back(system.vesicles[i], points[i], system.rate());
     first.push_back(first.back() + points[i].rows());
   }
   imposed = Eigen::VectorXd::Zero(3 * vertices());
@@ -71,7 +91,7 @@ std::vector<Mobility> mobilities(const SystemShape& shape)
   for (int i = 0; i < static_cast<int>(shape.vesicles.size()); ++i)
   {
     const Mobility::Columns columns = shape.vesicles[i].columns();
-    result.push_back(columns.any() ? shape.vesicles[i].basis->mobility(layer, i, columns)
+    result.push_back(columns.any() ? shape.vesicles[i].lumped->mobility(layer, i, columns)
                                    : Mobility{ DenseMatrix(3 * shape.vertices(), 0) });
   }
   return result;

@@ -1,29 +1,41 @@
 #pragma once
 // A system at one moment: the vesicles' surfaces and what their terms make of them.
 
-#include "solver/dynamics/ForceBasis.h"
+#include "solver/dynamics/LumpedForces.h"
 #include "solver/dynamics/System.h"
+#include "solver/dynamics/VesicleLoads.h"
 
 namespace vesicle
 {
 
 struct VesicleShape
 {
-  VesicleShape(const Vesicle& vesicle, const Points& points);
+  /// `rate`: the system's.
+  VesicleShape(const Vesicle& vesicle, const Points& points, double rate);
 
   const Vesicle* vesicle;
   std::unique_ptr<const Surface> surface;
-  std::unique_ptr<const ForceBasis> basis;
-  std::vector<NodalForce> forces; ///< of each term
-  Eigen::VectorXd stiff_force;    ///< φ: the sum of the stiff terms' normal parts, or empty
-  NodalForce other_force;         ///< the sum of all the others
-  std::optional<Linearisation> linearisation; ///< of stiff_force
-  std::optional<ConstraintRows> constraint;   ///< of an incompressible membrane
+  std::unique_ptr<const VesicleLoads> loads;  ///< smooth surfaces only
+  std::unique_ptr<const LumpedForces> lumped; ///< flat triangles only
+  std::vector<NodalForce> forces;             ///< of each term
+  /// The sum of the stiff terms, or empty: φ on flat triangles, vectors on smooth surfaces.
+  Eigen::VectorXd stiff_force;
+  NodalForce other_force;                           ///< the sum of all the others
+  std::optional<Linearisation> linearisation;       ///< of stiff_force; flat triangles only
+  std::shared_ptr<const ConstraintRows> constraint; ///< of an incompressible membrane
 
+  const ForceBasis& basis() const
+  {
+    return loads ? static_cast<const ForceBasis&>(*loads) : *lumped;
+  }
   bool gauge_pinned() const { return constraint && constraint->gauge_pinned; }
   NodalForce force() const; ///< of all terms
-  /// Columns for all that the shape has forces of.
+  /// Columns for all that the shape has forces of; flat triangles only.
   Mobility::Columns columns() const;
+
+private:
+  void add_flat_forces();
+  void add_loads(double rate);
 };
 
 struct SystemShape

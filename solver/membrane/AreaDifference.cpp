@@ -1,5 +1,7 @@
 #include "solver/membrane/AreaDifference.h"
 
+#include "solver/surface/CurvatureRates.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -28,7 +30,19 @@ TermForce AreaDifference::force(const Surface& surface) const
   const Curvature curvature = vertex_curvature(surface);
   const Eigen::VectorXd density = -16 * pi * pi * alpha_ * (m - m0_) *
     (curvature.gauss / root - m / surface.area * curvature.mean);
-  return { { surface.collocation().fit(density), {} }, {} };
+  return { { density, {} }, {} };
+}
+
+Variation AreaDifference::variation(const Surface& surface) const
+{
+  const double root = std::sqrt(4 * pi * surface.area);
+  const double m = integrated_mean_curvature(surface) / root;
+  const Eigen::VectorXd of_mean = integrated_mean_curvature_gradient(
+                          surface.space->table(), surface.points, surface.control),
+                        of_area = surface.area_rate.transpose() *
+    Eigen::VectorXd::Ones(surface.area_rate.rows());
+  return { 16 * pi * pi * alpha_ * (m - m0_) * (of_mean / root - m / (2 * surface.area) * of_area),
+    {} };
 }
 
 }

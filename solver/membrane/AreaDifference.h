@@ -9,7 +9,8 @@ namespace vesicle
 {
 
 /// E = 8π² α (m − m0)² (EB = 1) with m = M/√(4πA), M = ∮ H dS; a sphere has m = 1. As δM = ∮ K ψ dS
-/// and δA = ∮ 2H ψ dS under ψ n, the force density is −16π² α (m − m0) [K/√(4πA) − m H/A] n.
+/// and δA = ∮ 2H ψ dS under ψ n, the force density is −16π² α (m − m0) [K/√(4πA) − m H/A] n; on
+/// smooth surfaces the gradient is that of M and A as they are integrated.
 class AreaDifference final : public MembraneTerm
 {
 public:
@@ -19,6 +20,7 @@ public:
   double rate() const override { return alpha_; }
   double energy(const Surface& surface) const override;
   TermForce force(const Surface& surface) const override;
+  Variation variation(const Surface& surface) const override;
 
 private:
   double alpha_, m0_;

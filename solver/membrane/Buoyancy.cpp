@@ -17,16 +17,27 @@ double Buoyancy::energy(const Surface& surface) const
   return -bond_ * surface.volume * surface.center.z();
 }
 
-TermForce SmoothBuoyancy::force(const Surface& surface) const
+namespace
 {
-  return { { bond_ * (surface.control.col(2).array() - surface.center.z()), {} }, {} };
+
+// ∮ N_k (z − z_c) n dS: N by 3, as 3N.
+Eigen::VectorXd load_of_height(const Surface& surface)
+{
+  const Eigen::VectorXd height = surface.points.position.col(2).array() - surface.center.z();
+  return normal_load(surface.space->table(), surface.points, height);
+}
+
+}
+
+Variation SmoothBuoyancy::variation(const Surface& surface) const
+{
+  return { -bond_ * load_of_height(surface), {} };
 }
 
 TermForce GalerkinBuoyancy::force(const Surface& surface) const
 {
-  const Eigen::VectorXd height = surface.points.position.col(2).array() - surface.center.z();
-  const Eigen::VectorXd nodal = bond_ * normal_load(surface.space->table(), surface.points, height);
-  return { { {}, scaled_rows(rows_of_three(nodal), surface.vertex_area.cwiseInverse()) }, {} };
+  const Points nodal = rows_of_three(bond_ * load_of_height(surface));
+  return { { {}, scaled_rows(nodal, surface.vertex_area.cwiseInverse()) }, {} };
 }
 
 std::unique_ptr<const MembraneTerm> make_buoyancy(const SurfaceSpace& space, double bond_number)

@@ -23,12 +23,12 @@ protected:
   double bond_;
 };
 
-/// On smooth surfaces z n itself, as z = Σ N_k c_k.
+/// On smooth surfaces the load ∮ N_k z n dS.
 class SmoothBuoyancy final : public Buoyancy
 {
 public:
   using Buoyancy::Buoyancy;
-  TermForce force(const Surface& surface) const override;
+  Variation variation(const Surface& surface) const override;
 };
 
 /// On flat triangles nodal forces ∮ N_k z n dS over the nodes' areas: they sum the load exactly and

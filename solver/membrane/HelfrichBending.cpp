@@ -1,9 +1,8 @@
 #include "solver/membrane/HelfrichBending.h"
 
+#include "solver/membrane/BendingVariation.h"
 #include "solver/membrane/PaperScheme.h"
 #include "solver/surface/FittedCurvature.h"
-
-#include <Eigen/SparseCholesky>
 
 #include <vector>
 
@@ -29,26 +28,11 @@ std::unique_ptr<const MembraneTerm> make_bending(const SurfaceSpace& space, doub
 namespace
 {
 
-// −K 𝒩ᵀ: the response to the normal velocities of the nodes.
-SparseMatrix along_normals(const SparseMatrix& K, const Points& normal)
-{
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(3 * K.nonZeros());
-  for (int i = 0; i < K.rows(); ++i)
-    for (SparseMatrix::InnerIterator it(K, i); it; ++it)
-      for (int d = 0; d < 3; ++d)
-        entries.emplace_back(i, 3 * it.col() + d, -it.value() * normal(it.col(), d));
-  SparseMatrix R(K.rows(), 3 * K.cols());
-  R.setFromTriplets(entries.begin(), entries.end());
-  return R;
-}
-
 double smooth_energy(const Surface& surface, double c0)
 {
-  const BasisTable& table = surface.space->curvature_table();
-  const SurfacePoints points = evaluate(table, surface.control);
-  const Eigen::VectorXd mean = mean_curvature(table, points, surface.control);
-  return points.area_weight.dot((2 * mean.array() - c0).square().matrix()) / 2;
+  return surface.points.area_weight.dot(
+           (2 * surface.curvature->mean.array() - c0).square().matrix()) /
+    2;
 }
 
 }
@@ -58,17 +42,9 @@ double SmoothBending::energy(const Surface& surface) const
   return smooth_energy(surface, c0_);
 }
 
-TermForce SmoothBending::force(const Surface& surface) const
+Variation SmoothBending::variation(const Surface& surface) const
 {
-  const BasisTable& table = surface.space->curvature_table();
-  const SurfacePoints points = evaluate(table, surface.control);
-  const PointCurvature curvature = point_curvature(table, points, surface.control);
-  Linearisation linear{ mass_matrix(surface.space->table(), surface.points),
-    along_normals(bending_hessian(table, points, curvature), surface.normals) };
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> mass{ Eigen::SparseMatrix<double>(
-    linear.mass) };
-  const Eigen::VectorXd phi = mass.solve(bending_moments(table, points, curvature, c0_));
-  return { { phi, {} }, std::move(linear) };
+  return bending_variation(surface.space->table(), surface.points, surface.control, c0_);
 }
 
 double CotanBending::energy(const Surface& surface) const
@@ -100,7 +76,15 @@ double FittedBending::energy(const Surface& surface) const
 
 TermForce FittedBending::force(const Surface& surface) const
 {
-  return { { surface.collocation().fit(bending_density(vertex_curvature(surface), c0_)), {} }, {} };
+  return { { bending_density(vertex_curvature(surface), c0_), {} }, {} };
+}
+
+Variation FittedBending::variation(const Surface& surface) const
+{
+  const BasisTable& table = surface.space->table();
+  const Eigen::VectorXd nodal =
+    surface.collocation().fit(bending_density(vertex_curvature(surface), c0_));
+  return { -normal_load(table, surface.points, interpolate(table, nodal)), {} };
 }
 
 double bending_energy(const SurfacePoints& surface, const PointCurvature& c, double c0)
@@ -118,14 +102,6 @@ Eigen::VectorXd bending_density(const Curvature& c, double c0)
   const auto H = c.mean.array();
   return 2 * c.laplacian_mean.array() +
     (2 * H - c0) * (2 * H.square() - 2 * c.gauss.array() + c0 * H);
-}
-
-SparseMatrix bending_hessian(
-  const BasisTable& table, const SurfacePoints& surface, const PointCurvature& c)
-{
-  return gram_matrix(table, surface,
-    [&](int q, int k)
-    { return c.laplacian[k] + (4 * c.mean[q] * c.mean[q] - 2 * c.gauss[q]) * table.value[k]; });
 }
 
 SparseMatrix bending_matrix(const CotanGeometry& geometry, const Curvature& c, double c0)

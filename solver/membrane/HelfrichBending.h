@@ -8,13 +8,12 @@
 namespace vesicle
 {
 
-/// The bending of a surface, by its space's own curvature: on smooth surfaces the first variation
-/// of the energy under normal displacements (SmoothBending), on flat triangles by cotangents
+/// The bending of a surface, by its space's own curvature: on smooth surfaces the exact
+/// variation of the energy (SmoothBending), on flat triangles by cotangents
 /// (CotanBending, PaperBending), or by fitted curvatures (FittedBending). `c0` in units of 1/r0.
 std::unique_ptr<const MembraneTerm> make_bending(const SurfaceSpace& space, double c0);
 
-/// On smooth surfaces. The force is weak, M φ = ∮ … N_k dS; its linearisation is the Gauss–Newton
-/// part of the second variation along the vertices' normals.
+/// On smooth surfaces: the exact variation of the energy that is reported (BendingVariation.h).
 class SmoothBending final : public MembraneTerm
 {
 public:
@@ -23,7 +22,7 @@ public:
   bool stiff() const override { return true; }
   double rate() const override { return 1; }
   double energy(const Surface& surface) const override;
-  TermForce force(const Surface& surface) const override;
+  Variation variation(const Surface& surface) const override;
 
 private:
   double c0_;
@@ -60,16 +59,11 @@ public:
   /// By the surface's own curvature.
   double energy(const Surface& surface) const override;
   TermForce force(const Surface& surface) const override;
+  Variation variation(const Surface& surface) const override;
 
 private:
   double c0_;
 };
-
-/// Gauss–Newton part of the second variation on a smooth surface, ∮ d_j d_k dS with
-/// d_k = Δ_s N_k + (4H² − 2K) N_k (= −2 δH under N_k n): N by N, symmetric, positive semidefinite,
-/// whatever c0.
-SparseMatrix bending_hessian(
-  const BasisTable& table, const SurfacePoints& surface, const PointCurvature& curvature);
 
 /// ½ ∮ (2H − c0)² dS on a smooth surface, and with the vertices' areas on flat triangles.
 double bending_energy(const SurfacePoints& surface, const PointCurvature& curvature, double c0 = 0);

@@ -1,5 +1,7 @@
 #include "solver/membrane/MembraneTerm.h"
 
+#include <stdexcept>
+
 namespace vesicle
 {
 
@@ -21,6 +23,16 @@ NodalForce& NodalForce::operator+=(const NodalForce& other)
   add(normal, other.normal);
   add(vector, other.vector);
   return *this;
+}
+
+TermForce MembraneTerm::force(const Surface&) const
+{
+  throw std::logic_error(name() + " has no force on flat triangles");
+}
+
+Variation MembraneTerm::variation(const Surface&) const
+{
+  throw std::logic_error(name() + " has no variation on smooth surfaces");
 }
 
 }

@@ -16,11 +16,10 @@ namespace vesicle
 /// A force density by numbers at the nodes; parts that a term doesn't have are empty.
 struct NodalForce
 {
-  /// φ, N: the density is Σ N_k φ_k n on a smooth surface, Σ N_k φ_k n_k on flat triangles with the
-  /// normals n_k of vertex_curvature.
+  /// φ, N: the density is Σ N_k φ_k n_k with the normals n_k of vertex_curvature. Flat triangles
+  /// only.
   Eigen::VectorXd normal;
-  /// f, 3N: the density is Σ N_k f_k. Flat triangles only.
-  Eigen::VectorXd vector;
+  Eigen::VectorXd vector; ///< f, 3N: the density is Σ N_k f_k
 
   NodalForce& operator+=(const NodalForce& other);
 };
@@ -32,11 +31,20 @@ struct Linearisation
   SparseMatrix response; ///< R, N by 3N
 };
 
-/// A term at one shape.
+/// A term at one shape of flat triangles.
 struct TermForce
 {
   NodalForce density;
   std::optional<Linearisation> linearisation; ///< of density.normal, of terms that are stiff
+};
+
+/// A term at one shape of a smooth surface: how its energy follows the control points.
+struct Variation
+{
+  Eigen::VectorXd gradient; ///< g = ∂E/∂c, 3N; of a term without an energy, minus its load
+  /// R: ∂²E/∂c² is about 2 RᵀR where the term is stiff; any number of rows, 3N columns. Without
+  /// rows: it isn't stiff.
+  SparseMatrix rates;
 };
 
 class MembraneTerm
@@ -54,7 +62,10 @@ public:
   virtual double rate() const = 0;
 
   virtual double energy(const Surface& surface) const = 0;
-  virtual TermForce force(const Surface& surface) const = 0;
+  /// On flat triangles.
+  virtual TermForce force(const Surface& surface) const;
+  /// On smooth surfaces.
+  virtual Variation variation(const Surface& surface) const;
 };
 
 using MembraneTerms = std::vector<std::unique_ptr<const MembraneTerm>>;

@@ -140,7 +140,7 @@ void Simulation::require_own(const State& state) const
   for (const VesicleState& v : state.vesicles)
   {
     own = own && fits(v.points, false) && fits(v.velocity, false) && fits(v.node_velocity, false) &&
-      fits(v.tension, true) && fits(v.stiff_force, true);
+      fits(v.tension, true) && (fits(v.stiff_force, true) || v.stiff_force.rows() == 3 * vertices);
   }
   if (!own)
   {

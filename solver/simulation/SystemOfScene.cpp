@@ -45,6 +45,8 @@ System system_of(const Scene& scene, const Scales& scales, const TriangleMesh& m
     mesh.triangles, static_cast<int>(mesh.points.rows()), accuracy.quadrature);
   Vesicle vesicle = make_vesicle(std::move(space), accuracy.quadrature);
   vesicle.conserved = accuracy.scheme != Scene::Scheme::paper;
+  vesicle.motion = accuracy.mesh_motion == MeshMotion::material ? NodeMotionKind::material
+                                                                : NodeMotionKind::normal;
   if (scene.membrane.bending_rigidity)
     vesicle.terms.push_back(
       make_bending(*vesicle.space, scene.membrane.spontaneous_curvature * scales.length));

@@ -40,6 +40,7 @@ void for_each_field(StateOrConst& state, Visit&& visit)
     visit(group + "tension", vesicle.tension);
     visit(group + "stiff_force", vesicle.stiff_force);
     visit(group + "volume_speed", vesicle.volume_speed);
+    visit(group + "pressure", vesicle.pressure);
     visit(group + "target_area", vesicle.target_area);
     visit(group + "target_volume", vesicle.target_volume);
     visit(group + "area_correction", vesicle.area_correction);

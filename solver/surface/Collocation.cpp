@@ -64,6 +64,17 @@ Eigen::VectorXd Collocation::to_control(const Eigen::VectorXd& at_vertices) cons
   return factors_ ? solve(factors_->fit, at_vertices) : at_vertices;
 }
 
+Eigen::VectorXd Collocation::to_vertices(const Eigen::VectorXd& control) const
+{
+  return factors_ ? Eigen::VectorXd(flat(Points(P_ * rows_of_three(control)))) : control;
+}
+
+Eigen::VectorXd Collocation::to_vertices_adjoint(const Eigen::VectorXd& functional) const
+{
+  return factors_ ? Eigen::VectorXd(flat(Points(P_.transpose() * rows_of_three(functional))))
+                  : functional;
+}
+
 Eigen::VectorXd Collocation::from_control(const Eigen::VectorXd& gradient) const
 {
   return factors_ ? solve(factors_->fit_transposed, gradient) : gradient;

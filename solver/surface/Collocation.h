@@ -29,11 +29,17 @@ public:
   Eigen::MatrixXd fit(const Eigen::MatrixXd& at_vertices) const;
   /// P⁻¹ of a vector: velocities of the control points from those of the vertices.
   Eigen::VectorXd to_control(const Eigen::VectorXd& at_vertices) const;
+  /// P of a vector, and Pᵀ: of the vertices' velocities from the control points', of functionals the
+  /// other way.
+  Eigen::VectorXd to_vertices(const Eigen::VectorXd& control) const;
+  Eigen::VectorXd to_vertices_adjoint(const Eigen::VectorXd& functional) const;
   /// P⁻ᵀ of a vector: the gradient with respect to the vertices from that with respect to the
   /// control points.
   Eigen::VectorXd from_control(const Eigen::VectorXd& gradient) const;
   /// P⁻¹ of each column of 3N by m velocities, to 0.2%: for preconditioning.
   void to_control_roughly(Eigen::Ref<RowsF> velocities) const;
+
+  const SparseMatrix& matrix() const { return P_; }
 
 private:
   struct Factors;

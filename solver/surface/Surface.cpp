@@ -15,18 +15,12 @@ namespace
 // little.
 constexpr int smooth_grading = 3;
 constexpr int smooth_points = 6;
-constexpr int curvature_points = 3;
 
 std::unique_ptr<const Basis> make_basis(SurfaceBasis kind, const Triangles& triangles, int nodes)
 {
   if (kind == SurfaceBasis::loop)
     return std::make_unique<LoopBasis>(triangles, nodes);
   return std::make_unique<LinearBasis>(triangles, nodes);
-}
-
-BasisTable make_curvature_table(const Basis& basis)
-{
-  return basis.smooth() ? tabulate_rule(basis, triangle_rule(curvature_points)) : BasisTable();
 }
 
 BasisTable make_table(const Basis& basis, int flat_points)
@@ -46,8 +40,7 @@ SurfaceSpace::SurfaceSpace(SurfaceBasis kind, const Triangles& triangles, int no
 SurfaceSpace::SurfaceSpace(
   SurfaceBasis kind, VertexCurvature curvature, const Triangles& triangles, int nodes, int points)
   : basis_(make_basis(kind, triangles, nodes)), curvature_(curvature),
-    table_(make_table(*basis_, points)), curvature_table_(make_curvature_table(*basis_)),
-    collocation_(*basis_)
+    table_(make_table(*basis_, points)), collocation_(*basis_)
 {
 }
 
@@ -100,10 +93,8 @@ Curvature weak_curvature(const Surface& surface)
   c.normal = surface.normals;
   c.mean = projected(moments(table, surface.points, surface.curvature->mean));
   c.gauss = projected(moments(table, surface.points, surface.curvature->gauss));
-  const BasisTable& coarse = surface.space->curvature_table();
-  const SurfacePoints points = evaluate(coarse, surface.control);
   const Eigen::VectorXd force =
-    projected(bending_moments(coarse, points, point_curvature(coarse, points, surface.control)));
+    projected(bending_moments(table, surface.points, *surface.curvature));
   const auto H = c.mean.array();
   c.laplacian_mean = force.array() / 2 - 2 * H * (H * H - c.gauss.array());
   return c;

@@ -40,20 +40,16 @@ public:
   int nodes() const { return basis_->nodes(); }
   bool smooth() const { return basis_->smooth(); }
   VertexCurvature curvature() const { return curvature_; }
-  /// For integrals over the surface; its nodes are the control points.
+  /// For integrals over the surface; its nodes are the control points. Smooth surfaces: six points an
+  /// element, and elements at extraordinary vertices halved three times towards them. An energy of
+  /// fewer points lets the surface ripple between them where it is hardly resolved.
   const BasisTable& table() const { return table_; }
-  /// For integrals of squares of curvatures, smooth surfaces only: 3 points an element. Around
-  /// extraordinary vertices the surface can't follow the curvature and ripples; three points feel
-  /// less of that than an exact integral. Relaxed prolates of 1,280 triangles have an energy 0.004,
-  /// 0.001 and 0.002% too high at v = 0.8, 0.7 and 0.65, against 0.017, 0.015 and 0.008% with six
-  /// points and graded elements.
-  const BasisTable& curvature_table() const { return curvature_table_; }
   const Collocation& collocation() const { return collocation_; }
 
 private:
   std::unique_ptr<const Basis> basis_;
   VertexCurvature curvature_;
-  BasisTable table_, curvature_table_;
+  BasisTable table_;
   Collocation collocation_;
 };
 

@@ -40,6 +40,21 @@ SparseMatrix mass_matrix(const BasisTable& table, const SurfacePoints& surface)
   return gram_matrix(table, surface, [&](int, int k) { return table.value[k]; });
 }
 
+// ∇N_j·∇N_k by an orthonormal frame at each point: two numbers an entry.
+SparseMatrix stiffness_matrix(const BasisTable& table, const SurfacePoints& s)
+{
+  const auto along = [&](int q, int k, bool second)
+  {
+    const Row3 a = s.tangent_u.row(q), b = s.tangent_v.row(q);
+    const double length = a.norm(), J = s.cross.row(q).norm();
+    return second ? (table.dv[k] * length - table.du[k] * a.dot(b) / length) / J
+                  : table.du[k] / length;
+  };
+  SparseMatrix sum = gram_matrix(table, s, [&](int q, int k) { return along(q, k, false); });
+  sum += gram_matrix(table, s, [&](int q, int k) { return along(q, k, true); });
+  return sum;
+}
+
 SparseMatrix bilaplacian(
   const BasisTable& table, const SurfacePoints& surface, const PointCurvature& c)
 {

@@ -22,6 +22,8 @@ SparseMatrix gram_matrix(const BasisTable& table, const SurfacePoints& surface, 
 
 /// M_jk = ∮ N_j N_k dS.
 SparseMatrix mass_matrix(const BasisTable& table, const SurfacePoints& surface);
+/// L_jk = ∮ ∇N_j·∇N_k dS.
+SparseMatrix stiffness_matrix(const BasisTable& table, const SurfacePoints& surface);
 /// ∮ Δ_s N_j Δ_s N_k dS: N by N.
 SparseMatrix bilaplacian(
   const BasisTable& table, const SurfacePoints& surface, const PointCurvature& curvature);

@@ -169,7 +169,7 @@ TEST(ProbeFilter, TheSameAsTheSolverItself)
 {
   const TriangleMesh mesh = smooth_sphere(1280);
   const Points force = Eigen::RowVector3d(0, 0, 3).replicate(mesh.points.rows(), 1);
-  const FlowField flow = membrane_flow(mesh, SurfaceBasis::linear, { force, {}, {} });
+  const FlowField flow = membrane_flow(mesh, SurfaceBasis::linear, force);
   const Points points = 1.5 * smooth_sphere(80).points;
   const double viscosity = 2;
   EXPECT_LT(

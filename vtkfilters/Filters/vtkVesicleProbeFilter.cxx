@@ -78,7 +78,7 @@ TriangleMesh mesh_of(vtkPolyData* surface)
   return mesh;
 }
 
-vesicle::VertexForces forces_on(vtkPolyData* surface)
+Points forces_on(vtkPolyData* surface)
 {
   const auto membrane = point_array(surface, "Membrane_Force", 3);
   if (!membrane)
@@ -87,18 +87,10 @@ vesicle::VertexForces forces_on(vtkPolyData* surface)
                               "run (unless the scene's output.fields leaves it out), "
                               "vtkVesicleStepper and vtkVesicleForceFilter have");
   }
-  vesicle::VertexForces forces;
-  forces.total = *membrane;
+  Points forces = *membrane;
   if (const auto gravity = point_array(surface, "Gravity_Force", 3))
   {
-    forces.total += *gravity;
-  }
-  const auto tension = point_array(surface, "Tension", 1);
-  const auto tension_force = point_array(surface, "Tension_Force", 3);
-  if (tension && tension_force)
-  {
-    forces.tension = *tension;
-    forces.tension_force = *tension_force;
+    forces += *gravity;
   }
   return forces;
 }

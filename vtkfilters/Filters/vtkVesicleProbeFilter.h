@@ -21,8 +21,7 @@
  * for arrays of these names.
  *
  * Read from the source: the point arrays Membrane_Force (a force an area), Gravity_Force if there
- * is gravity, Tension and Tension_Force if the membrane is incompressible, which on a Loop surface
- * make the result more accurate; the field data Viscosity, Surface_Basis (0 linear, 1 Loop),
+ * is gravity; the field data Viscosity, Surface_Basis (0 linear, 1 Loop),
  * Flow_Kind (0 at rest, 1 uniform, 2 shear, 3 planar extension, 4 axisymmetric extension, 5
  * Poiseuille, 6 rotation) and, as the kind has them, Flow_Rate, Flow_Velocity, Flow_Radius,
  * Flow_Center, Flow_Axis. What is missing is an error that names it; a surface without them gets

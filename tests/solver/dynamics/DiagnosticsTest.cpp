@@ -43,21 +43,23 @@ protected:
 // E.
 TEST_P(Reported, StressletOfASphereInStrain)
 {
-  const double a = 1e-5, mu = 1e-3, rate = 4;
+  // Where the whole area counts, at second order, nothing can deform: Einstein's solid sphere.
+  const bool holds = GetParam() == Scene::Preset::balanced;
+  const double a = 1e-5, mu = 1e-3, rate = 4, factor = holds ? 20. / 3 : 28. / 33;
   const auto error = [&](int triangles)
   {
     Scene scene = in_flow(std::make_shared<Extension>(Extension::Type::axisymmetric, rate));
     scene.fluid.viscosity = mu;
     const TriangleMesh unit = test::smooth_sphere(triangles);
     const Diagnostics d = at_start(scene, { a * unit.points, unit.triangles });
-    const double S = 28. / 33 * std::numbers::pi * mu * a * a * a * rate;
+    const double S = factor * std::numbers::pi * mu * a * a * a * rate;
     const double exact[] = { -S / 2, 0, 0, -S / 2, 0, S };
     double largest = 0;
     for (int i = 0; i < 6; ++i)
       largest = std::max(largest, std::abs(d.stresslet[i] - exact[i]) / S);
     return largest;
   };
-  if (GetParam() == Scene::Preset::balanced)
+  if (holds)
   {
     EXPECT_LT(error(320), 1e-3);
   }
@@ -83,7 +85,8 @@ TEST_P(Reported, StressletIsThePowerOfTheShear)
     const Diagnostics d = at_start(scene, mesh);
     return 2 * d.stresslet[2] / d.power_in;
   };
-  EXPECT_NEAR(ratio(), 1, 1e-8);
+  // On smooth surfaces the tension's load follows the nodes' motion, the stresslet its density: 3e-4.
+  EXPECT_NEAR(ratio(), 1, GetParam() == Scene::Preset::balanced ? 6e-4 : 1e-8);
   scene.membrane.bending_rigidity = 1;
   EXPECT_NEAR(ratio(), 1, GetParam() == Scene::Preset::balanced ? 2e-2 : 3e-2); // 1.3%, 2.4%
 }

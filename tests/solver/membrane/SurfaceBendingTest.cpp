@@ -137,15 +137,6 @@ TEST(SurfaceBending, WorkOnAStretchedEllipsoidIsTheExactEnergys)
   EXPECT_GT(test::order(error[0], error[1]), 1.5) << error[0] << ", " << error[1];
 }
 
-TEST(SurfaceBending, HessianIsSymmetricAndPositive)
-{
-  const Case c(320, test::ellipsoid_2_1_1);
-  const Eigen::MatrixXd K = bending_hessian(c.table, c.surface, c.curvature);
-  EXPECT_LT((K - K.transpose()).cwiseAbs().maxCoeff(), 1e-10 * K.cwiseAbs().maxCoeff());
-  const Eigen::VectorXd v = Eigen::VectorXd::LinSpaced(K.rows(), 0, 9).array().sin();
-  EXPECT_GT(v.dot(K * v), 0);
-}
-
 TEST(SurfaceBending, MassIntegratesConstantsToTheArea)
 {
   const Case c(320, test::paper_surface);

@@ -33,9 +33,9 @@ Vector3 stokes_sphere(const Vector3& x)
     0.25 / (r * r * r) * (translation - 3 * n * n.dot(translation));
 }
 
-VertexForces uniform(const TriangleMesh& mesh, const Vector3& density)
+Points uniform(const TriangleMesh& mesh, const Vector3& density)
 {
-  return { density.transpose().replicate(mesh.points.rows(), 1), {}, {} };
+  return density.transpose().replicate(mesh.points.rows(), 1);
 }
 
 const double distances[] = { 2, 0.5, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6 };
@@ -128,9 +128,9 @@ TEST(FlowField, RigidSphereByLoopSurface)
 TEST(FlowField, ContinuousAcrossTheSurface)
 {
   const TriangleMesh mesh = mapped(smooth_sphere(320), test::ellipsoid_2_1_1);
-  VertexForces forces = uniform(mesh, { 1, 0, 0 });
+  Points forces = uniform(mesh, { 1, 0, 0 });
   for (int i = 0; i < mesh.points.rows(); ++i)
-    forces.total.row(i) += mesh.points(i, 2) * mesh.points.row(i);
+    forces.row(i) += mesh.points(i, 2) * mesh.points.row(i);
   const FlowField field = membrane_flow(mesh, SurfaceBasis::linear, forces);
   const SurfacePanels surface = flat_panels(mesh);
   const Points on = field.at(beside(surface, 0, 60)).velocity;
@@ -172,9 +172,9 @@ TEST(FlowField, InsideOrOutsideAtEveryDistance)
 TEST(FlowField, AgreesWithTheSingleLayerAtTheVertices)
 {
   const TriangleMesh mesh = mapped(smooth_sphere(320), test::ellipsoid_2_1_1);
-  VertexForces forces = uniform(mesh, { 1, 0, 0 });
+  Points forces = uniform(mesh, { 1, 0, 0 });
   for (int i = 0; i < mesh.points.rows(); ++i)
-    forces.total.row(i) += mesh.points(i, 2) * mesh.points.row(i);
+    forces.row(i) += mesh.points(i, 2) * mesh.points.row(i);
   const Points velocity =
     membrane_flow(mesh, SurfaceBasis::linear, forces).at(mesh.points).velocity;
   double error[2];
@@ -183,7 +183,7 @@ TEST(FlowField, AgreesWithTheSingleLayerAtTheVertices)
     const LinearBasis basis(mesh.triangles, static_cast<int>(mesh.points.rows()));
     const LayerRules rules(basis, { level == 0 ? 3 : 12, 0, 0, 4, 8 });
     const StokesOperator layer({ { &rules, mesh.points, mesh.points } });
-    const Eigen::VectorXd u = layer.apply(std::array{ nodal_density(forces.total) });
+    const Eigen::VectorXd u = layer.apply(std::array{ nodal_density(forces) });
     error[level] =
       (u.reshaped<Eigen::RowMajor>(velocity.rows(), 3) - velocity).rowwise().norm().maxCoeff();
   }
@@ -208,7 +208,7 @@ TEST(FlowField, PressureMovesNothing)
     }
     return n;
   }();
-  const FlowField field = membrane_flow(mesh, SurfaceBasis::loop, { normal, {}, {} });
+  const FlowField field = membrane_flow(mesh, SurfaceBasis::loop, normal);
   for (double d : { -0.3, -1e-3, -1e-6, 0., 1e-6, 1e-3, 0.3 })
     EXPECT_LT(field.at(beside(flat_panels(mesh), d, 40)).velocity.rowwise().norm().maxCoeff(), 2e-4)
       << d;

@@ -380,8 +380,9 @@ TEST(Remesh, BendingEnergyConverges)
     error.push_back(std::abs(bending_energy(mesh) / exact - 1));
   }
   EXPECT_LT(error[0], 1.2e-3);
-  EXPECT_LT(error[1], 4e-5);
-  EXPECT_LT(error[2], 5e-6);
+  // Of order h²: what vertices with five or seven neighbours cost.
+  EXPECT_LT(error[1], 1.5e-4);
+  EXPECT_LT(error[2], 4e-5);
 }
 
 TEST(Remesh, RoundsAnAngularBody)

@@ -1,0 +1,222 @@
+#include "solver/dynamics/LoadStage.h"
+
+#include "solver/Errors.h"
+#include "solver/dynamics/Gmres.h"
+#include "solver/dynamics/LocalPreconditioner.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace vesicle
+{
+
+LoadStage::LoadStage(
+  const SystemShape& shape, LayerMap layer, double tau, const Eigen::VectorXd& reference)
+  : shape_(shape), layer_(std::move(layer)), tau_(tau)
+{
+  std::vector<Eigen::VectorXd> scales;
+  for (std::size_t v = 0; v < count(); ++v)
+  {
+    const VesicleLoads& own = loads(v);
+    const Surface& surface = own.surface();
+    const bool implicit = own.stiff() && tau > 0;
+    known_load_.push_back(own.load());
+    reference_load_.push_back(implicit && reference.size() > 0
+        ? Eigen::VectorXd(-stiff_change(v, own.motion().parameters(shape.part(reference, v))))
+        : Eigen::VectorXd());
+    if (reference_load_.back().size() > 0)
+      known_load_.back() += reference_load_.back();
+
+    // Rows as velocities: a residual of 1 is an error of the velocity of about 1.
+    const Eigen::Index parameters = has_parameters(v) ? own.motion().size() : 0,
+                       n = own.has_tension() ? surface.vertices.rows() : 0, extra = 2;
+    Eigen::VectorXd scale = Eigen::VectorXd::Ones(parameters + n + extra);
+    if (n > 0)
+      scale.segment(parameters, n) =
+        3 * std::sqrt(surface.area / static_cast<double>(n)) * surface.vertex_area.cwiseInverse();
+    scale.tail(extra).setConstant(1 / surface.area);
+    first_.push_back(first_.back() + scale.size());
+    scales.push_back(std::move(scale));
+  }
+  scale_.resize(unknowns());
+  for (std::size_t v = 0; v < count(); ++v)
+    scale_.segment(first_[v], scales[v].size()) = scales[v];
+  known_velocity_ = shape.imposed + velocity_of(known_load_, std::vector<LoadUnknowns>(count()));
+}
+
+std::vector<LoadUnknowns> LoadStage::split(const Eigen::VectorXd& x) const
+{
+  std::vector<LoadUnknowns> result;
+  for (std::size_t v = 0; v < count(); ++v)
+  {
+    const VesicleLoads& own = loads(v);
+    LoadUnknowns& part = result.emplace_back();
+    Eigen::Index at = first_[v];
+    if (has_parameters(v))
+    {
+      part.parameters = x.segment(at, own.motion().size());
+      at += part.parameters.size();
+    }
+    if (own.has_tension())
+    {
+      part.tension = x.segment(at, own.surface().vertices.rows());
+      at += part.tension.size();
+    }
+    part.pressure = x[at++];
+    part.volume_speed = x[at];
+  }
+  return result;
+}
+
+Eigen::VectorXd LoadStage::join(const std::vector<LoadUnknowns>& parts) const
+{
+  Eigen::VectorXd x(unknowns());
+  for (std::size_t v = 0; v < count(); ++v)
+  {
+    const LoadUnknowns& part = parts[v];
+    Eigen::Index at = first_[v];
+    x.segment(at, part.parameters.size()) = part.parameters;
+    at += part.parameters.size();
+    x.segment(at, part.tension.size()) = part.tension;
+    at += part.tension.size();
+    x[at++] = part.pressure;
+    x[at] = part.volume_speed;
+  }
+  return x;
+}
+
+bool LoadStage::has_parameters(std::size_t v) const
+{
+  return (loads(v).stiff() && tau_ > 0) || loads(v).taut();
+}
+
+// −τ Qᵀ K Q, of ν.
+Eigen::VectorXd LoadStage::stiff_change(std::size_t v, const Eigen::VectorXd& parameters) const
+{
+  const NodeMotion& motion = loads(v).motion();
+  return -tau_ *
+    motion.parameters_adjoint(
+      motion.velocity_adjoint(loads(v).stiffness(motion.velocity(parameters))));
+}
+
+Eigen::VectorXd LoadStage::load_of(std::size_t v, const LoadUnknowns& x) const
+{
+  const VesicleLoads& own = loads(v);
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(own.gradient().size());
+  if (x.parameters.size() > 0 && own.stiff() && tau_ > 0)
+    load += stiff_change(v, x.parameters);
+  if (own.taut() && x.parameters.size() > 0)
+    load += own.resisting_load(x.parameters);
+  if (x.tension.size() > 0)
+    load -= own.area_rates_adjoint(x.tension);
+  if (x.pressure != 0)
+    load -= x.pressure * own.volume_rate();
+  return load;
+}
+
+Eigen::VectorXd LoadStage::velocity_of(
+  const std::vector<Eigen::VectorXd>& loads, const std::vector<LoadUnknowns>& x) const
+{
+  std::vector<Eigen::VectorXd> densities;
+  for (std::size_t v = 0; v < loads.size(); ++v)
+    densities.push_back(this->loads(v).density(loads[v]));
+  Eigen::VectorXd velocity = layer_(densities);
+  for (std::size_t v = 0; v < loads.size(); ++v)
+    velocity.segment(3 * shape_.first[v], loads[v].size()) +=
+      x[v].volume_speed * flat(this->loads(v).surface().normals);
+  return velocity;
+}
+
+std::vector<LoadUnknowns> LoadStage::rows(const std::vector<Eigen::VectorXd>& loads,
+  const std::vector<LoadUnknowns>& x, const Eigen::VectorXd& velocity) const
+{
+  std::vector<LoadUnknowns> result;
+  for (std::size_t v = 0; v < count(); ++v)
+  {
+    const VesicleLoads& own = this->loads(v);
+    LoadUnknowns& part = result.emplace_back();
+    const Eigen::VectorXd at_vertices = shape_.part(velocity, v),
+                          u = own.surface().to_control(at_vertices);
+    if (has_parameters(v))
+    {
+      part.parameters = -own.motion().parameters(at_vertices);
+      if (x[v].parameters.size() > 0)
+        part.parameters += x[v].parameters;
+    }
+    if (own.has_tension())
+      part.tension = own.tension_rows(u, x[v].tension);
+    part.pressure = own.volume_rate().dot(u);
+    part.volume_speed = own.normal().dot(loads[v]);
+  }
+  return result;
+}
+
+StageSolution LoadStage::solve(const std::vector<LocalPreconditioner>& preconditioners,
+  double tolerance, int max_iterations) const
+{
+  const std::vector<LoadUnknowns> none(count());
+  const Eigen::VectorXd b = -join(rows(known_load_, none, known_velocity_)).cwiseProduct(scale_);
+  // The velocities that the Krylov vectors make, for the true size of the solution's.
+  std::vector<Eigen::VectorXd> velocities;
+  const auto apply = [&](const Eigen::VectorXd& y) -> Eigen::VectorXd
+  {
+    const std::vector<LoadUnknowns> x = split(y);
+    std::vector<Eigen::VectorXd> loads;
+    for (std::size_t v = 0; v < count(); ++v)
+      loads.push_back(load_of(v, x[v]));
+    velocities.push_back(velocity_of(loads, x));
+    return join(rows(loads, x, velocities.back())).cwiseProduct(scale_);
+  };
+  const auto precondition = [&](const Eigen::VectorXd& r) -> Eigen::VectorXd
+  {
+    std::vector<LoadUnknowns> x = split(r.cwiseQuotient(scale_));
+    for (std::size_t v = 0; v < count(); ++v)
+      x[v] = preconditioners[v].solve(loads(v), x[v]);
+    return join(x);
+  };
+  const auto wanted = [&](const Eigen::VectorXd& coefficients)
+  {
+    Eigen::VectorXd velocity = known_velocity_;
+    for (Eigen::Index i = 0; i < coefficients.size(); ++i)
+      velocity += coefficients[i] * velocities[i];
+    return tolerance * velocity.norm();
+  };
+  const GmresResult linear = gmres(apply, precondition, b, wanted, max_iterations);
+  if (!linear.solution.allFinite() || !std::isfinite(linear.residual))
+    throw NumericalError(
+      fmt::format("the linear system of {} unknowns has no finite solution", unknowns()));
+  if (!linear.converged)
+    throw NumericalError(fmt::format(
+      "the linear solve of {} unknowns did not converge: residual {:.1e} after {} iterations",
+      unknowns(), linear.residual, linear.iterations));
+
+  return solution_of(split(linear.solution), linear.iterations);
+}
+
+StageSolution LoadStage::solution_of(const std::vector<LoadUnknowns>& x, int iterations) const
+{
+  StageSolution result;
+  result.iterations = iterations;
+  std::vector<Eigen::VectorXd> total;
+  for (std::size_t v = 0; v < count(); ++v)
+  {
+    const VesicleLoads& own = loads(v);
+    total.push_back(known_load_[v] + load_of(v, x[v]));
+    StageSolution::Part& part = result.vesicles.emplace_back();
+    part.tension = x[v].tension;
+    part.volume_speed = x[v].volume_speed;
+    part.pressure = x[v].pressure;
+    part.stiff_force = shape_.vesicles[v].stiff_force;
+    Eigen::VectorXd change = reference_load_[v];
+    if (own.stiff() && tau_ > 0)
+      change = (change.size() > 0 ? change : Eigen::VectorXd::Zero(total[v].size())) +
+        stiff_change(v, x[v].parameters);
+    if (change.size() > 0)
+      part.stiff_force += own.density(change);
+  }
+  result.velocity = shape_.imposed + velocity_of(total, x);
+  return result;
+}
+
+}

@@ -1,0 +1,20 @@
+#include "solver/dynamics/StageSolver.h"
+
+#include "solver/dynamics/CollocatedStages.h"
+#include "solver/dynamics/LoadStages.h"
+
+#include <algorithm>
+
+namespace vesicle
+{
+
+std::unique_ptr<StageSolver> make_stage_solver(const System& system)
+{
+  const bool smooth = std::all_of(system.vesicles.begin(), system.vesicles.end(),
+    [](const Vesicle& vesicle) { return vesicle.space->smooth(); });
+  if (smooth)
+    return std::make_unique<LoadStages>(system);
+  return std::make_unique<CollocatedStages>(system);
+}
+
+}

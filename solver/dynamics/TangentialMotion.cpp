@@ -1,0 +1,188 @@
+#include "solver/dynamics/TangentialMotion.h"
+
+#include "solver/Errors.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include <cmath>
+
+namespace vesicle
+{
+
+namespace
+{
+
+using Tangents = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
+
+// Two orthonormal tangents a vertex.
+Tangents tangents_of(const Points& normals)
+{
+  Tangents T(normals.rows(), 6);
+  for (Eigen::Index i = 0; i < normals.rows(); ++i)
+  {
+    const Vector3 n = normals.row(i).transpose(), a = n.unitOrthogonal();
+    T.row(i).head<3>() = a.transpose();
+    T.row(i).tail<3>() = n.cross(a).transpose();
+  }
+  return T;
+}
+
+Eigen::VectorXd spread(const Tangents& T, const Eigen::VectorXd& d)
+{
+  Eigen::VectorXd t(3 * T.rows());
+  for (Eigen::Index i = 0; i < T.rows(); ++i)
+    t.segment<3>(3 * i) =
+      (d[2 * i] * T.row(i).head<3>() + d[2 * i + 1] * T.row(i).tail<3>()).transpose();
+  return t;
+}
+
+Eigen::VectorXd gathered(const Tangents& T, const Eigen::VectorXd& t)
+{
+  Eigen::VectorXd d(2 * T.rows());
+  for (Eigen::Index i = 0; i < T.rows(); ++i)
+  {
+    d[2 * i] = T.row(i).head<3>().dot(t.segment<3>(3 * i));
+    d[2 * i + 1] = T.row(i).tail<3>().dot(t.segment<3>(3 * i));
+  }
+  return d;
+}
+
+// The operator of the quadratic form above in the coordinates d, t = T d, and its preconditioner:
+// the same with TᵀPT between vertices and control points, which is sparse.
+class TangentialForm
+{
+public:
+  TangentialForm(const VesicleLoads& loads, double tau, double beta)
+    : loads_(loads), T_(tangents_of(loads.surface().normals)), tau_(tau),
+      weight_(loads.surface().vertex_area / beta)
+  {
+    if (!stiff())
+      return;
+    const Eigen::Index n = T_.rows();
+    std::vector<Eigen::Triplet<double>> entries;
+    const SparseMatrix& P = loads.surface().collocation().matrix();
+    for (int i = 0; i < n; ++i)
+      for (SparseMatrix::InnerIterator it(P, i); it; ++it)
+        for (int a = 0; a < 2; ++a)
+          for (int b = 0; b < 2; ++b)
+            entries.emplace_back(2 * i + a, 2 * static_cast<int>(it.col()) + b,
+              it.value() * T_.row(i).segment<3>(3 * a).dot(T_.row(it.col()).segment<3>(3 * b)));
+    X_.resize(2 * n, 2 * n);
+    X_.setFromTriplets(entries.begin(), entries.end());
+    const SparseMatrix& R = loads.rates();
+    SparseMatrix along(R.rows(), 2 * n);
+    along.resizeNonZeros(R.nonZeros() / 3 * 2);
+    for (int q = 0; q <= R.rows(); ++q)
+      along.outerIndexPtr()[q] = R.outerIndexPtr()[q] / 3 * 2;
+    for (Eigen::Index k = 0; k < R.nonZeros() / 3; ++k)
+    {
+      const int node = R.innerIndexPtr()[3 * k] / 3;
+      const Eigen::Map<const Eigen::RowVector3d> row(R.valuePtr() + 3 * k);
+      for (int a = 0; a < 2; ++a)
+      {
+        along.innerIndexPtr()[2 * k + a] = 2 * node + a;
+        along.valuePtr()[2 * k + a] = row.dot(T_.row(node).segment<3>(3 * a));
+      }
+    }
+    Eigen::VectorXd twice(2 * n);
+    for (Eigen::Index i = 0; i < n; ++i)
+      twice.segment<2>(2 * i).setConstant(weight_[i]);
+    factors_.compute(SymmetricMatrix(SparseMatrix(X_.transpose()) * twice.asDiagonal() * X_ +
+      2 * tau * (SparseMatrix(along.transpose()) * along)));
+    if (factors_.info() != Eigen::Success)
+      throw NumericalError("the problem of the tangential motion is singular");
+  }
+
+  const Tangents& tangents() const { return T_; }
+  /// Of a functional of the control points' velocities.
+  Eigen::VectorXd dual(const Eigen::VectorXd& functional) const
+  {
+    return gathered(T_, loads_.surface().collocation().from_control(functional));
+  }
+  Eigen::VectorXd weighted(const Eigen::VectorXd& d) const
+  {
+    Eigen::VectorXd result(d.size());
+    for (Eigen::Index i = 0; i < weight_.size(); ++i)
+      result.segment<2>(2 * i) = weight_[i] * d.segment<2>(2 * i);
+    return result;
+  }
+  /// τ TᵀP⁻ᵀK P⁻¹T d.
+  Eigen::VectorXd stiffness(const Eigen::VectorXd& d) const
+  {
+    if (!stiff())
+      return Eigen::VectorXd::Zero(d.size());
+    return tau_ * dual(loads_.stiffness(loads_.surface().to_control(spread(T_, d))));
+  }
+  /// By conjugate gradients.
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const
+  {
+    if (!stiff())
+    {
+      Eigen::VectorXd result(b.size());
+      for (Eigen::Index i = 0; i < weight_.size(); ++i)
+        result.segment<2>(2 * i) = b.segment<2>(2 * i) / weight_[i];
+      return result;
+    }
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size()), r = b, z = precondition(r), p = z;
+    double rz = r.dot(z);
+    const double first = rz;
+    for (int k = 0; k < 100 && rz > 1e-8 * first; ++k)
+    {
+      const Eigen::VectorXd Ap = apply(p);
+      const double alpha = rz / p.dot(Ap);
+      x += alpha * p;
+      r -= alpha * Ap;
+      z = precondition(r);
+      const double next = r.dot(z);
+      p = z + next / rz * p;
+      rz = next;
+    }
+    return x;
+  }
+
+private:
+  bool stiff() const { return loads_.stiff() && tau_ > 0; }
+  Eigen::VectorXd apply(const Eigen::VectorXd& d) const { return weighted(d) + stiffness(d); }
+  Eigen::VectorXd precondition(const Eigen::VectorXd& r) const
+  {
+    return X_ * Eigen::VectorXd(factors_.solve(X_.transpose() * r));
+  }
+
+  const VesicleLoads& loads_;
+  Tangents T_;
+  double tau_;
+  Eigen::VectorXd weight_; ///< m_i/β
+  SparseMatrix X_;
+  SparseCholesky factors_;
+};
+
+}
+
+Eigen::VectorXd tangential_motion(const VesicleLoads& loads, const Eigen::VectorXd& wanted,
+  const Eigen::VectorXd& reference, double released, double tau, double beta)
+{
+  constexpr double largest_share = 0.5;
+  const TangentialForm form(loads, tau, beta);
+  const Eigen::VectorXd g = form.dual(loads.gradient()), a = form.dual(loads.area_gradient()),
+                        v = form.dual(loads.volume_gradient());
+  const Eigen::VectorXd a_solved = form.solve(a), v_solved = form.solve(v);
+  const auto neutral = [&](Eigen::VectorXd d) -> Eigen::VectorXd
+  {
+    Eigen::Matrix2d J;
+    J << a.dot(a_solved), a.dot(v_solved), v.dot(a_solved), v.dot(v_solved);
+    const Eigen::Vector2d x = J.fullPivLu().solve(Eigen::Vector2d(a.dot(d), v.dot(d)));
+    return d - x[0] * a_solved - x[1] * v_solved;
+  };
+  const Eigen::VectorXd g_solved = neutral(form.solve(g));
+  Eigen::VectorXd drive = form.weighted(gathered(form.tangents(), wanted));
+  if (reference.size() > 0)
+    drive += form.stiffness(gathered(form.tangents(), reference));
+  Eigen::VectorXd d = neutral(form.solve(drive)) - g_solved;
+  const double rise = g.dot(d), excess = rise - largest_share * std::max(0., released);
+  if (excess > 0 && g.dot(g_solved) > 0)
+    d -= excess / g.dot(g_solved) * g_solved;
+  return spread(form.tangents(), d);
+}
+
+}

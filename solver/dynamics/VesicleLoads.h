@@ -1,0 +1,103 @@
+#pragma once
+// What acts on a vesicle with a smooth surface, as functionals of its control points' velocities
+// (loads, 3N): the adjoint of how the nodes move. Then the power of all loads is exactly what the
+// energy loses, and the constraint's rows do no work. Density of a load l: M⁻¹ l at the nodes.
+
+#include "solver/dynamics/ForceBasis.h"
+#include "solver/dynamics/System.h"
+#include "solver/surface/NodeMotion.h"
+#include "solver/surface/SparseCholesky.h"
+
+namespace vesicle
+{
+
+/// At one shape; vesicle and surface must outlive it. `rate`: the system's.
+///
+/// Close to a sphere the constraint leaves deformations free that only the total area forbids, at
+/// second order. There the membrane is held taut: the normal speeds' gradients meet a resistance 1e4
+/// times the fluid's, and a tension takes back within the system's own time what they leave, so that
+/// the shape stays within 1e-4 of the sphere in any flow. That belongs to the constraint, not to the
+/// energy; loads are then the adjoint of normal motion, whatever the nodes do.
+class VesicleLoads final : public ForceBasis
+{
+public:
+  VesicleLoads(const Vesicle& vesicle, const Surface& surface,
+    std::shared_ptr<const ConstraintRows> constraint, double rate);
+
+  // Densities are Σ N_k f_k.
+  Points at_vertices(const NodalForce& force) const override;
+  Points tension_at_vertices(const Eigen::VectorXd& tension) const override;
+  double power(const NodalForce& force, const Eigen::VectorXd& velocity) const override;
+  double tension_power(
+    const Eigen::VectorXd& tension, const Eigen::VectorXd& velocity) const override;
+
+  const Surface& surface() const { return *surface_; }
+  const NodeMotion& motion() const { return motion_; }
+
+  /// Of each term: −Qᵀg.
+  const std::vector<Eigen::VectorXd>& loads() const { return loads_; }
+  /// Their sum.
+  Eigen::VectorXd load() const;
+  /// g of the membrane's own energy.
+  const Eigen::VectorXd& gradient() const { return gradient_; }
+
+  /// R of all stiff terms, one below the other; no rows if none is stiff.
+  const SparseMatrix& rates() const { return rates_; }
+  bool stiff() const { return rates_.rows() > 0; }
+  /// K δc = 2 RᵀR δc.
+  Eigen::VectorXd stiffness(const Eigen::VectorXd& displacement) const
+  {
+    return 2 * (rates_.transpose() * (rates_ * displacement));
+  }
+
+  // The tension's part. Rows B̂ u + F γ = 0, B̂ = B + (m/Σm) (Qᵀa − a)ᵀ, a = Bᵀ1: B's with a rank-one
+  // correction after which they add up to the rate of the real area, that of the nodes' motion.
+  bool has_tension() const { return constraint_ != nullptr; }
+  const ConstraintRows& constraint() const { return *constraint_; }
+  /// B̂ u + F γ; `tension` may be empty.
+  Eigen::VectorXd tension_rows(
+    const Eigen::VectorXd& velocity, const Eigen::VectorXd& tension) const;
+  Eigen::VectorXd area_rates(const Eigen::VectorXd& velocity) const;        ///< B̂ u
+  Eigen::VectorXd area_rates_adjoint(const Eigen::VectorXd& tension) const; ///< B̂ᵀγ
+  /// Close to a sphere, where a uniform tension is a pressure: there B̂ leaves the total area out, a
+  /// row of −gauge (m·γ) m/Σm gives the tension a mean of 0, and the membrane is pulled taut.
+  bool taut() const { return taut_load_.size() > 0; }
+  /// The load of the resistance to ν, and the rows that it is made of, which feel the motion of the
+  /// control points along n.
+  Eigen::VectorXd resisting_load(const Eigen::VectorXd& parameters) const;
+  const SparseMatrix& resisting_rates() const { return resisting_rates_; }
+  /// The load that holds the membrane taut where the vertices have these velocities.
+  Eigen::VectorXd taut_load(const Eigen::VectorXd& at_vertices) const;
+  /// −p (Qᵀv − v): the pressure's load less that of a uniform pressure, which moves nothing.
+  Eigen::VectorXd pressure_load(double pressure) const
+  {
+    return -pressure * (volume_rate_ - volume_gradient_);
+  }
+  /// The volume's row Qᵀv, and what the volume is corrected by: n at the vertices.
+  const Eigen::VectorXd& volume_rate() const { return volume_rate_; }
+  const Eigen::VectorXd& area_gradient() const { return area_gradient_; }     ///< a
+  const Eigen::VectorXd& volume_gradient() const { return volume_gradient_; } ///< v
+  const Eigen::VectorXd& normal() const { return normal_; }                   ///< n̂ = P⁻¹ n
+
+  static constexpr double gauge = 1; ///< in r0/μ
+
+  /// The density of a load, M⁻¹ of each component, and the load of a density.
+  Eigen::VectorXd density(const Eigen::VectorXd& load) const;
+  Eigen::VectorXd load_of(const Eigen::VectorXd& density) const;
+
+private:
+  void hold_taut(double rate);
+
+  const Surface* surface_;
+  NodeMotion motion_;
+  std::vector<Eigen::VectorXd> loads_;
+  Eigen::VectorXd taut_load_; ///< or empty
+  Eigen::VectorXd gradient_;
+  SparseMatrix rates_, resisting_rates_;
+  std::shared_ptr<const ConstraintRows> constraint_; ///< none: no tension
+  Eigen::VectorXd area_gradient_, area_share_, volume_gradient_, volume_rate_, normal_;
+  SparseMatrix mass_;
+  SparseCholesky mass_factors_;
+};
+
+}

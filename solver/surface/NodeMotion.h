@@ -1,0 +1,49 @@
+#pragma once
+// How a surface's nodes follow the fluid, as a linear map Q on the velocities of the control points,
+// and its adjoint, which makes loads of gradients: whatever moves the nodes by Q u does the work
+// g·Q u = Qᵀg·u on an energy of gradient g. Only Q's normal part is physics; along the membrane a
+// fluid leaves the nodes free.
+
+#include "solver/surface/Surface.h"
+
+namespace vesicle
+{
+
+enum class NodeMotionKind
+{
+  normal, ///< Q u = P⁻¹[U + n n·(P u − U)] at the vertices, U the velocity of the volume's centroid
+  material ///< Q = 1: with the lipids
+};
+
+/// Q factors through ν, numbers that a rigid translation leaves zero: Q u = D ν + U, ν = E u. Normal:
+/// ν = n·(P u − U) at the vertices, N; material: ν = u − U, 3N. Velocities are the control points',
+/// 3N; U is the same vector for all.
+class NodeMotion
+{
+public:
+  /// The surface must outlive it.
+  NodeMotion(const Surface& surface, NodeMotionKind kind) : surface_(surface), kind_(kind) {}
+
+  NodeMotionKind kind() const { return kind_; }
+  Eigen::Index size() const
+  {
+    return surface_.normals.rows() * (kind_ == NodeMotionKind::normal ? 1 : 3);
+  }
+  /// E, from the velocities of the vertices, P u.
+  Eigen::VectorXd parameters(const Eigen::VectorXd& at_vertices) const;
+  /// Eᵀ P⁻ᵀ … of numbers that belong to ν: a functional of the control points' velocities.
+  Eigen::VectorXd parameters_adjoint(const Eigen::VectorXd& dual) const;
+  /// D: control points' velocities.
+  Eigen::VectorXd velocity(const Eigen::VectorXd& parameters) const;
+  /// Dᵀ.
+  Eigen::VectorXd velocity_adjoint(const Eigen::VectorXd& functional) const;
+
+  /// Qᵀ.
+  Eigen::VectorXd adjoint(const Eigen::VectorXd& functional) const;
+
+private:
+  const Surface& surface_;
+  NodeMotionKind kind_;
+};
+
+}
