@@ -13,16 +13,13 @@ SparseMatrix identity(Eigen::Index n)
   return I;
 }
 
-/// K of γ and the slack: the filter, the slack's column D P⁻¹n and the gauge's row.
-SparseMatrix with_pinned_gauge(const VesicleShape& shape, const SparseMatrix& filter)
+/// K of γ and the slack: the slack's column D n and the gauge's row.
+SparseMatrix pinned_gauge(const VesicleShape& shape)
 {
   const Surface& surface = *shape.surface;
   const int n = static_cast<int>(surface.vertex_area.size());
-  const Eigen::VectorXd slack = shape.constraint->rate * surface.to_control(flat(surface.normals));
+  const Eigen::VectorXd slack = shape.constraint->rate * flat(surface.normals);
   std::vector<Eigen::Triplet<double>> entries;
-  for (int i = 0; i < filter.outerSize(); ++i)
-    for (SparseMatrix::InnerIterator it(filter, i); it; ++it)
-      entries.emplace_back(i, static_cast<int>(it.col()), it.value());
   for (int i = 0; i < n; ++i)
   {
     entries.emplace_back(i, n, slack[i]);
@@ -42,14 +39,14 @@ StageBlock stiff_block(const VesicleShape& shape, std::size_t vesicle, const Mob
   const Eigen::Index n = surface.vertices.rows();
   const Linearisation& linear = *shape.linearisation;
   StageBlock block{ vesicle, n, &mobility.matrix, mobility.normal, n, {}, {}, {}, {} };
-  block.rows.control = -tau * linear.response;
+  block.rows.direct = -tau * linear.response;
   block.rows.weight.resize(n, 3);
   for (int c = 0; c < 3; ++c)
     block.rows.weight.col(c) = tau * (linear.response * Vector3(Vector3::Unit(c)).replicate(n, 1));
   block.rows.functional = surface.centroid_velocity;
-  block.own = linear.mass.size() > 0 ? linear.mass : identity(n);
+  block.own = identity(n);
   if (reference.size() > 0)
-    block.prescribed = block.rows.control * surface.to_control(reference);
+    block.prescribed = block.rows.direct * reference;
   return block;
 }
 
@@ -58,13 +55,12 @@ StageBlock tension_block(const VesicleShape& shape, std::size_t vesicle, const M
   const Eigen::Index n = shape.surface->vertices.rows();
   const ConstraintRows& constraint = *shape.constraint;
   StageBlock block{ vesicle, n, &mobility.matrix, mobility.tension, n, {}, {}, {}, {} };
-  block.rows.control = constraint.rate;
-  block.own = constraint.filter;
+  block.rows.direct = constraint.rate;
   if (constraint.gauge_pinned)
   {
     block.size = n + 1;
-    block.rows.control.conservativeResize(n + 1, constraint.rate.cols());
-    block.own = with_pinned_gauge(shape, constraint.filter);
+    block.rows.direct.conservativeResize(n + 1, constraint.rate.cols());
+    block.own = pinned_gauge(shape);
   }
   return block;
 }

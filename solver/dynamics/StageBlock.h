@@ -1,6 +1,6 @@
 #pragma once
-// A block of unknowns of a stage's linear problem, and the rows that belong to them. It says what
-// it is once; the operator, the right-hand side and the dense matrix are all made from that
+// On flat triangles a block of unknowns of a stage's linear problem, and the rows that belong to
+// them. It says what it is once; the operator, the right-hand side and the dense matrix are all made from that
 // (StageSystem.h).
 
 #include "solver/dynamics/SystemShape.h"
@@ -8,11 +8,11 @@
 namespace vesicle
 {
 
-/// Linear rows on one vesicle's velocities u at its vertices (3N): L u = control P⁻¹u +
+/// Linear rows on one vesicle's velocities u at its vertices (3N): L u = direct u +
 /// weight (functional u). Parts that aren't there are empty.
 struct VelocityRows
 {
-  SparseMatrix control;       ///< n by 3N, on the velocities of the control points
+  SparseMatrix direct;        ///< n by 3N
   Eigen::MatrixXd weight;     ///< n by k
   Eigen::MatrixXd functional; ///< k by 3N
 };
@@ -36,14 +36,14 @@ struct StageBlock
   Eigen::VectorXd prescribed; ///< n, or empty: zero
 };
 
-/// ψ, the change of the stiff force density φ within a time `tau`: M ψ = τ R P⁻¹(u − U −
+/// ψ, the change of the stiff force density φ within a time `tau`: ψ = τ R (u − U −
 /// reference), U the velocity of the volume's centroid, `reference` (3N or empty) a velocity
 /// relative to it.
 StageBlock stiff_block(const VesicleShape& shape, std::size_t vesicle, const Mobility& mobility,
   double tau, const Eigen::VectorXd& reference);
 
-/// γ: D P⁻¹u + F γ = 0. Where the gauge is pinned one more unknown, the slack s of rows that would
-/// be dependent, D P⁻¹(u + s n) + F γ = 0, and one more row, ∮ γ dS = 0.
+/// γ: D u = 0. Where the gauge is pinned one more unknown, the slack s of rows that would
+/// be dependent, D (u + s n) = 0, and one more row, ∮ γ dS = 0.
 StageBlock tension_block(const VesicleShape& shape, std::size_t vesicle, const Mobility& mobility);
 
 /// c: ∇V·u = 0 by a small uniform normal velocity c n. A force for it would be singular: a pressure

@@ -65,20 +65,15 @@ Eigen::VectorXd StageSystem::velocity_of(const Eigen::VectorXd& y) const
 Eigen::VectorXd StageSystem::rows_of(const Eigen::VectorXd& u) const
 {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(unknowns());
-  std::vector<Eigen::VectorXd> at_vertices, at_control;
-  for (std::size_t v = 0; v < shape_.vesicles.size(); ++v)
-  {
-    at_vertices.push_back(shape_.part(u, v));
-    at_control.push_back(shape_.vesicles[v].surface->to_control(at_vertices.back()));
-  }
   for (std::size_t b = 0; b < blocks_.size(); ++b)
   {
-    const auto& [control, weight, functional] = blocks_[b].rows;
+    const auto& [direct, weight, functional] = blocks_[b].rows;
+    const Eigen::VectorXd own = shape_.part(u, blocks_[b].vesicle);
     auto rows = result.segment(first_[b], blocks_[b].size);
-    if (control.size() > 0)
-      rows += control * at_control[blocks_[b].vesicle];
+    if (direct.size() > 0)
+      rows += direct * own;
     if (functional.size() > 0)
-      rows += weight * (functional * at_vertices[blocks_[b].vesicle]);
+      rows += weight * (functional * own);
   }
   return result;
 }
@@ -150,6 +145,9 @@ StageSolution StageSystem::solution_of(const Eigen::VectorXd& y) const
 namespace
 {
 
+/// Rows of a dense matrix in single precision, 3 a node.
+using RowsF = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
 // target += (row i of a sparse matrix) · rows
 template<class Target>
 void add_row_product(
@@ -163,7 +161,7 @@ void add_row_product(
 
 Eigen::MatrixXf StageSystem::dense() const
 {
-  // X: the velocity that each unknown makes, 3N by unknowns; later that of the control points.
+  // X: the velocity that each unknown makes, 3N by unknowns.
   RowsF X = RowsF::Zero(3 * shape_.vertices(), unknowns());
   for (std::size_t b = 0; b < blocks_.size(); ++b)
   {
@@ -189,8 +187,6 @@ Eigen::MatrixXf StageSystem::dense() const
     functionals.push_back(block.rows.functional.size() > 0
         ? RowsF(block.rows.functional.cast<float>() * slice(block.vesicle))
         : RowsF());
-  for (std::size_t v = 0; v < shape_.vesicles.size(); ++v)
-    shape_.vesicles[v].surface->collocation().to_control_roughly(slice(v));
 
   RowsF matrix = RowsF::Zero(unknowns(), unknowns());
   for (std::size_t b = 0; b < blocks_.size(); ++b)
@@ -202,8 +198,8 @@ Eigen::MatrixXf StageSystem::dense() const
       [&](Eigen::Index i)
       {
         auto row = matrix.row(first_[b] + i);
-        if (rows.control.size() > 0)
-          add_row_product(row, rows.control, i, velocities);
+        if (rows.direct.size() > 0)
+          add_row_product(row, rows.direct, i, velocities);
         for (Eigen::Index k = 0; k < rows.weight.cols(); ++k)
           row += static_cast<float>(rows.weight(i, k)) * functionals[b].row(k);
         if (block.own.size() > 0)

@@ -1,15 +1,14 @@
 #pragma once
-// The linear problem of one stage of a time step: at a frozen shape, find the velocity, the tension
-// and the stiff forces after a time τ, implicitly, paper (36)–(41) in the form reduced to two
-// unknowns a node.
+// The linear problem of one stage of a time step on flat triangles: at a frozen shape, find the
+// velocity, the tension and the stiff forces after a time τ, implicitly, paper (36)–(41) in the form
+// reduced to two unknowns a node.
 
 // clang-format off
 //
-//   u = u∞ + S (φ + other forces) + S_n ψ + S_γ γ + c n        at the vertices
-//   ċ = P⁻¹ u                                                   at the control points
+//   u = u∞ + S (φ + other forces) + S_n ψ + S_γ γ + c n
 //
-//   M ψ = τ R P⁻¹(u − U − reference)                            stiff_block
-//   D ċ + F γ = 0                                               tension_block
+//   ψ = τ R (u − U − reference)                                 stiff_block
+//   D u = 0                                                     tension_block
 //   ∇V·u = 0                                                    volume_block
 //
 // clang-format on

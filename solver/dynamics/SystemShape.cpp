@@ -11,7 +11,7 @@ void add(std::optional<Linearisation>& sum, Linearisation&& part)
   if (!sum)
     sum = std::move(part);
   else
-    sum->response += part.response; // all have the mass matrix of the surface
+    sum->response += part.response;
 }
 
 }

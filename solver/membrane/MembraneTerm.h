@@ -24,10 +24,9 @@ struct NodalForce
   NodalForce& operator+=(const NodalForce& other);
 };
 
-/// How φ follows a displacement: M δφ = R δc, c the control points.
+/// How φ follows a displacement: δφ = R δx.
 struct Linearisation
 {
-  SparseMatrix mass;     ///< M, N by N; empty: the identity
   SparseMatrix response; ///< R, N by 3N
 };
 

@@ -15,8 +15,5 @@ using ForceDensity = std::function<RowVectors(const BasisTable&, const SurfacePo
 ForceDensity nodal_density(const Points& nodal);
 /// Σ N_k φ_k n with the surface's own normal: φ at the nodes, N.
 ForceDensity normal_density(const Eigen::VectorXd& nodal);
-/// ∇_s γ − 2 γ H n on a smooth surface of these control points: γ at the nodes, N.
-ForceDensity tension_density(const Points& control, const Eigen::VectorXd& nodal);
-ForceDensity operator+(ForceDensity a, ForceDensity b);
 
 }

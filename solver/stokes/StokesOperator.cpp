@@ -151,44 +151,6 @@ StokesletSources node_sources(const BasisTable& table, const LayerPoints& at)
     table.node.data(), table.value.data() };
 }
 
-/// The same with the surface's frame.
-struct FramedPoints
-{
-  RowVectors normal, dual_u, dual_v; ///< n, contravariant tangents a^u, a^v
-  Eigen::VectorXd twice_mean;
-
-  FramedPoints(const BasisTable& table, const LayerPoints& at, const Points& control)
-    : normal(table.rows(), 3), dual_u(table.rows(), 3), dual_v(table.rows(), 3),
-      twice_mean(2 * mean_curvature(table, at.surface, control))
-  {
-    const SurfacePoints& surface = at.surface;
-    parallel_for(
-      table.rows(),
-      [&](int q)
-      {
-        const double J = surface.cross.row(q).norm();
-        normal.row(q) = surface.cross.row(q) / J;
-        dual_u.row(q) = surface.tangent_v.row(q).cross(normal.row(q)) / J;
-        dual_v.row(q) = normal.row(q).cross(surface.tangent_u.row(q)) / J;
-      },
-      256);
-  }
-
-  SurfaceSources sources(const BasisTable& table, const LayerPoints& at) const
-  {
-    return { node_sources(table, at), table.du.data(), table.dv.data(), normal.data(),
-      dual_u.data(), dual_v.data(), twice_mean.data(), table.rows() };
-  }
-};
-
-// Numbers of one component and lane, n nodes, in a row.
-void copy_lane(const double* sum, int lane, int nodes, int component, double* row)
-{
-  const double* s = sum + component * lanes + lane;
-  for (int k = 0; k < nodes; ++k)
-    row[k] = s[static_cast<long>(k) * stride];
-}
-
 }
 
 LayerPoints::LayerPoints(const BasisTable& table, const Points& control)
@@ -288,36 +250,6 @@ DenseMatrix StokesOperator::matrix(int source) const
       identity.insert(row, row / 3 * 3 + c) = c == row % 3 ? 1 : 0;
   identity.makeCompressed();
   return columns(source, NodalDensities{ identity });
-}
-
-DenseMatrix StokesOperator::columns(int source, const SurfaceDensities& densities) const
-{
-  const LayerRules& rules = *surfaces_[source].rules;
-  const Points& control = surfaces_[source].control;
-  const auto& [regular, near, singular] = points_[source];
-  const BasisTable &regular_table = rules.regular().table, &near_table = rules.near().table,
-                   &singular_table = rules.singular().table;
-  const FramedPoints framed_regular(regular_table, regular, control),
-    framed_near(near_table, near, control), framed_singular(singular_table, singular, control);
-  const RuleSources<SurfaceSources> sources{ framed_regular.sources(regular_table, regular),
-    framed_near.sources(near_table, near), framed_singular.sources(singular_table, singular) };
-  const int n = rules.vertices();
-  DenseMatrix matrix(3L * vertices(), static_cast<long>(densities.kinds.size()) * n);
-  for_each_group(source, sources, add_surface_densities,
-    [&](int first, const Group& group, const double* sum)
-    {
-      for (int lane = 0; lane < group.count; ++lane)
-        for (int c = 0; c < 3; ++c)
-        {
-          double* row = matrix.row(3 * (first + group.target[lane]) + c).data();
-          for (const SurfaceDensities::Kind kind : densities.kinds)
-          {
-            copy_lane(sum, lane, n, (kind == SurfaceDensities::Kind::tension ? 3 : 0) + c, row);
-            row += n;
-          }
-        }
-    });
-  return matrix;
 }
 
 namespace

@@ -31,18 +31,6 @@ struct NodalDensities
 {
   const SparseMatrix& F;
 };
-/// One of these after the other, N columns each, on smooth surfaces, with the surface's own normal
-/// and mean curvature.
-struct SurfaceDensities
-{
-  enum class Kind
-  {
-    normal, ///< f = Σ φ_k N_k n
-    tension ///< f = Σ γ_k (∇_s N_k − 2 H N_k n): the tension's force density itself
-  };
-  std::vector<Kind> kinds;
-};
-
 /// Points of a rule at a shape; weight contains dS/8πμ.
 struct LayerPoints
 {
@@ -72,7 +60,6 @@ public:
   /// The velocities that each density of surface `source` makes at all vertices: 3N by their
   /// number.
   DenseMatrix columns(int source, const NodalDensities& densities) const;
-  DenseMatrix columns(int source, const SurfaceDensities& densities) const;
   /// Of all vectors at its nodes, f = Σ N_k f_k: 3N by 3N.
   DenseMatrix matrix(int source) const;
 

@@ -137,50 +137,6 @@ void add_stokeslets(const StokesletSources& s, int begin, int end, const double*
 }
 
 VESICLE_MULTIVERSION
-void add_surface_densities(const SurfaceSources& s, int begin, int end, const double* targets,
-  const double* mask, double* sum)
-{
-  Targets t;
-  load(t, targets, mask);
-  const int n = s.rows;
-  for (int q = begin, last; q < end; q = last)
-  {
-    last = group_end(s, q, end);
-    const int rows = last - q, first = s.start[q], width = s.start[q + 1] - first;
-    Lanes normal[group_size][3], along_u[group_size][3], along_v[group_size][3];
-    for (int r = 0; r < rows; ++r)
-    {
-      Pair p;
-      const int i = q + r;
-      evaluate(p, s, i, t);
-      apply(normal[r], p, s.normal[i], s.normal[i + n], s.normal[i + 2 * n]);
-      apply(along_u[r], p, s.dual_u[i], s.dual_u[i + n], s.dual_u[i + 2 * n]);
-      apply(along_v[r], p, s.dual_v[i], s.dual_v[i + n], s.dual_v[i + 2 * n]);
-    }
-    for (int k = 0; k < width; ++k)
-    {
-      double* entry = entry_of(sum, s.node[first + k]);
-      for (int c = 0; c < 3; ++c)
-      {
-        Lanes from_normal, from_tension;
-        load(from_normal, entry + c * stokeslet_lanes);
-        load(from_tension, entry + (3 + c) * stokeslet_lanes);
-        for (int r = 0; r < rows; ++r)
-        {
-          const int i = first + r * width + k;
-          const Lanes along = s.value[i] * normal[r][c];
-          from_normal += along;
-          from_tension +=
-            s.du[i] * along_u[r][c] + s.dv[i] * along_v[r][c] - s.twice_mean[q + r] * along;
-        }
-        std::memcpy(entry + c * stokeslet_lanes, &from_normal, sizeof from_normal);
-        std::memcpy(entry + (3 + c) * stokeslet_lanes, &from_tension, sizeof from_tension);
-      }
-    }
-  }
-}
-
-VESICLE_MULTIVERSION
 void add_velocities(
   const ForceSources& s, int begin, int end, const double* targets, const double* mask, double* sum)
 {

@@ -31,21 +31,6 @@ struct StokesletSources
 [[gnu::visibility("hidden")]] void add_stokeslets(const StokesletSources& sources, int begin,
   int end, const double* targets, const double* mask, double* sum);
 
-/// Source points with the surface's geometry.
-struct SurfaceSources : StokesletSources
-{
-  const double *du, *dv;         ///< of every entry
-  const double* normal;          ///< of every row: n, 3 numbers, one component after the other
-  const double *dual_u, *dual_v; ///< contravariant tangents a^u, a^v, stored like n
-  const double* twice_mean;      ///< 2 H of every row
-  int rows;
-};
-
-/// As above with, instead of G's components, the velocities of N_k n (3) and of ∇_s N_k − 2 H N_k n
-/// (3).
-[[gnu::visibility("hidden")]] void add_surface_densities(const SurfaceSources& sources, int begin,
-  int end, const double* targets, const double* mask, double* sum);
-
 /// Source points with a known force.
 struct ForceSources : StokesletSources
 {

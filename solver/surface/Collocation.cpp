@@ -1,6 +1,5 @@
 #include "solver/surface/Collocation.h"
 
-#include "solver/ParallelFor.h"
 #include "solver/surface/SparseLU.h"
 
 namespace vesicle
@@ -11,10 +10,6 @@ namespace
 
 using ColumnMatrix = Eigen::SparseMatrix<double>;
 using SparseFactors = Eigen::SparseLU<ColumnMatrix>;
-
-// Bounds of the eigenvalues of P: 1/4 to 1 for valence six, a little lower for small valences.
-constexpr double smallest_eigenvalue = 0.2, largest_eigenvalue = 1;
-constexpr int chebyshev_sweeps = 6;
 
 void factorize(SparseFactors& factors, ColumnMatrix matrix)
 {
@@ -78,35 +73,6 @@ Eigen::VectorXd Collocation::to_vertices_adjoint(const Eigen::VectorXd& function
 Eigen::VectorXd Collocation::from_control(const Eigen::VectorXd& gradient) const
 {
   return factors_ ? solve(factors_->fit_transposed, gradient) : gradient;
-}
-
-// Chebyshev iteration: each sweep is a product with P, and six leave an error of 0.2%.
-void Collocation::to_control_roughly(Eigen::Ref<RowsF> velocities) const
-{
-  if (!factors_)
-    return;
-  const double centre = (largest_eigenvalue + smallest_eigenvalue) / 2,
-               radius = (largest_eigenvalue - smallest_eigenvalue) / 2, sigma = centre / radius;
-  RowsF direction = velocities / static_cast<float>(centre);
-  RowsF x = direction;
-  double rho = 1 / sigma;
-  for (int sweep = 0; sweep < chebyshev_sweeps; ++sweep)
-  {
-    const double next = 1 / (2 * sigma - rho);
-    RowsF residual = velocities;
-    parallel_for(static_cast<int>(P_.rows()),
-      [&](int i)
-      {
-        for (SparseMatrix::InnerIterator it(P_, i); it; ++it)
-          residual.middleRows<3>(3 * i) -=
-            static_cast<float>(it.value()) * x.middleRows<3>(3 * it.col());
-      });
-    direction =
-      static_cast<float>(next * rho) * direction + static_cast<float>(2 * next / radius) * residual;
-    x += direction;
-    rho = next;
-  }
-  velocities = x;
 }
 
 }

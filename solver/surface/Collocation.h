@@ -12,9 +12,6 @@
 namespace vesicle
 {
 
-/// Rows of a dense matrix in single precision, 3 a node: what preconditioners are made of.
-using RowsF = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
 /// Vectors have 3 entries a node (x, y, z interleaved), 3N in all.
 class Collocation
 {
@@ -36,9 +33,7 @@ public:
   /// P⁻ᵀ of a vector: the gradient with respect to the vertices from that with respect to the
   /// control points.
   Eigen::VectorXd from_control(const Eigen::VectorXd& gradient) const;
-  /// P⁻¹ of each column of 3N by m velocities, to 0.2%: for preconditioning.
-  void to_control_roughly(Eigen::Ref<RowsF> velocities) const;
-
+  /// P.
   const SparseMatrix& matrix() const { return P_; }
 
 private:

@@ -133,27 +133,6 @@ TEST(StokesOperator, ColumnsAndApplicationAreThoseOfTheWholeMatrix)
   EXPECT_LT((applied - u).norm(), 1e-13 * u.norm());
 }
 
-// On smooth surfaces φ and γ make the velocities of the densities that they stand for.
-TEST(StokesOperator, SurfaceDensitiesAreWhatTheySay)
-{
-  const TriangleMesh mesh = mapped(test::smooth_sphere(320), test::ellipsoid_2_1_1);
-  const int n = static_cast<int>(mesh.points.rows());
-  const LoopBasis basis(mesh.triangles, n);
-  const Points control = Collocation(basis).fit(mesh.points);
-  const LayerRules rules(basis, layer_quadrature(basis, 3));
-  const StokesOperator layer({ { &rules, mesh.points, control } });
-  const Eigen::VectorXd phi = Eigen::VectorXd::LinSpaced(n, 0, 1).array().cos();
-  const Eigen::VectorXd gamma = Eigen::VectorXd::LinSpaced(n, 0, 2).array().sin();
-  using Kind = SurfaceDensities::Kind;
-  const DenseMatrix both = layer.columns(0, SurfaceDensities{ { Kind::normal, Kind::tension } });
-  const Eigen::VectorXd from_phi = layer.apply(std::array{ normal_density(phi) });
-  const Eigen::VectorXd from_gamma = layer.apply(std::array{ tension_density(control, gamma) });
-  EXPECT_LT((multiply(both, phi) - from_phi).norm(), 1e-12 * from_phi.norm());
-  EXPECT_LT((multiply(both, gamma, n) - from_gamma).norm(), 1e-12 * from_gamma.norm());
-  const DenseMatrix tension = layer.columns(0, SurfaceDensities{ { Kind::tension } });
-  EXPECT_EQ(tension, both.rightCols(n));
-}
-
 // The unit sphere under the load z n, λ = 1: 4/15 alone, times 1 + 5/(4d) − 1/(2d³) beside another
 // at the distance d along z (before they deform).
 TEST(StokesOperator, TwoLoadedSpheresHelpEachOther)
