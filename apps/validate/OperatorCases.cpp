@@ -80,12 +80,12 @@ private:
 
 // Errors at 1,280 triangles and order in N. A linear density limits flat elements to h²; Loop's
 // surface is of second order at extraordinary vertices only.
-struct Limits
+struct OperatorLimits
 {
   double eigenvalue, pressure, drag, order;
 };
-constexpr Limits linear_limits{ 3e-2, 1e-3, 1e-2, 0.85 };
-constexpr Limits loop_limits{ 3e-4, 1e-4, 2.5e-4, 1.2 };
+constexpr OperatorLimits linear_limits{ 3e-2, 1e-3, 1e-2, 0.85 };
+constexpr OperatorLimits loop_limits{ 3e-4, 1e-4, 2.5e-4, 1.2 };
 
 double eigen_error(const Layer& layer, const LayerMode& mode)
 {
@@ -95,7 +95,7 @@ double eigen_error(const Layer& layer, const LayerMode& mode)
 
 void eigenvalues(Report& report, bool loop)
 {
-  const Limits& limits = loop ? loop_limits : linear_limits;
+  const OperatorLimits& limits = loop ? loop_limits : linear_limits;
   const Layer coarse(smooth_sphere(320), loop), fine(smooth_sphere(1280), loop);
   for (const LayerMode& mode : sphere_layer_modes())
   {
@@ -113,7 +113,7 @@ void eigenvalues(Report& report, bool loop)
 
 void drag(Report& report, bool loop)
 {
-  const Limits& limits = loop ? loop_limits : linear_limits;
+  const OperatorLimits& limits = loop ? loop_limits : linear_limits;
   ShapeRequest request;
   request.kind = ShapeRequest::Kind::ellipsoid;
   request.semi_axes = { 2, 1, 1 };

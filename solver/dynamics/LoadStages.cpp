@@ -10,7 +10,7 @@ namespace
 {
 
 // The part of the preconditioner that depends on the shape alone is made anew where a vertex has
-// moved that far, in r0, or more iterations were needed.
+// moved that far in its vesicle, in r0, or more iterations were needed.
 constexpr double stale_displacement = 0.05;
 constexpr int stale_iterations = 40;
 constexpr int max_iterations = 200;
@@ -43,11 +43,16 @@ LayerMap layer_of(const SystemShape& shape)
   };
 }
 
+// Of a vertex in its vesicle: a translation changes nothing.
 double largest_move(const std::vector<Points>& from, const std::vector<Points>& to)
 {
   double largest = 0;
   for (std::size_t v = 0; v < to.size(); ++v)
-    largest = std::max(largest, (to[v] - from[v]).rowwise().norm().maxCoeff());
+  {
+    const Points move = to[v] - from[v];
+    const Eigen::RowVector3d translation = move.colwise().mean();
+    largest = std::max(largest, (move.rowwise() - translation).rowwise().norm().maxCoeff());
+  }
   return largest;
 }
 

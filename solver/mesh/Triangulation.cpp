@@ -15,7 +15,7 @@ namespace
 {
 
 using Vector2 = Eigen::Vector2d;
-using Corners = std::vector<std::int64_t>;
+using PolygonCorners = std::vector<std::int64_t>;
 
 /// Twice an area below this part of a longest side squared is a line, up to rounding.
 constexpr double flat = 1e-10;
@@ -30,9 +30,9 @@ double cross(const Vector2& a, const Vector2& b)
 
 /// Without corners that repeat the one before, and without the tips of sides that run back over
 /// themselves.
-Corners without_repeated(std::span<const std::int64_t> polygon)
+PolygonCorners without_repeated(std::span<const std::int64_t> polygon)
 {
-  Corners kept;
+  PolygonCorners kept;
   for (const std::int64_t corner : polygon)
   {
     if (kept.size() >= 2 && kept[kept.size() - 2] == corner)
@@ -64,7 +64,7 @@ bool has_repeated(std::span<const std::int64_t> corners)
 }
 
 /// The corners in the plane of their vector area, in which they run counter-clockwise.
-std::vector<Vector2> in_own_plane(const Points& points, const Corners& corners)
+std::vector<Vector2> in_own_plane(const Points& points, const PolygonCorners& corners)
 {
   const Vector3 origin = points.row(corners[0]);
   const auto at = [&](std::size_t i) -> Vector3
@@ -82,7 +82,7 @@ std::vector<Vector2> in_own_plane(const Points& points, const Corners& corners)
   return result;
 }
 
-/// Corners by place: squares about as many as corners.
+/// PolygonCorners by place: squares about as many as corners.
 class CornerGrid
 {
 public:
@@ -130,7 +130,7 @@ private:
 class EarClipping
 {
 public:
-  EarClipping(const Points& points, const Corners& corners)
+  EarClipping(const Points& points, const PolygonCorners& corners)
     : corners_(corners), plane_(in_own_plane(points, corners)), next_(corners.size()),
       previous_(corners.size()), grid_(plane_), left_(static_cast<int>(corners.size()))
   {
@@ -240,7 +240,7 @@ private:
     return next_[c];
   }
 
-  const Corners& corners_;
+  const PolygonCorners& corners_;
   std::vector<Vector2> plane_;
   std::vector<int> next_;
   std::vector<int> previous_;
@@ -285,7 +285,7 @@ bool cut(const Points& points, std::span<const std::int64_t> polygon, Add add)
     add(polygon[0], polygon[1], polygon[2]);
     return true;
   }
-  const Corners corners = without_repeated(polygon);
+  const PolygonCorners corners = without_repeated(polygon);
   if (corners.size() < 3)
     return true;
   if (corners.size() == 3)

@@ -12,7 +12,7 @@ namespace
 
 using hdf5::Handle;
 
-constexpr const char* format_name = "vesicle frame";
+constexpr const char* frame_format = "vesicle frame";
 
 template<class Numbers>
 void write_numbers(
@@ -95,7 +95,7 @@ std::string frame_file_image(const Frame& frame)
 {
   const hdf5::QuietErrors quiet;
   const Handle file = hdf5::create_in_memory();
-  hdf5::write_attribute(file, "format", std::string(format_name));
+  hdf5::write_attribute(file, "format", std::string(frame_format));
   hdf5::write_attribute(file, "time", frame.time);
   const auto& [points, triangles] = frame.mesh;
   write_numbers(file, "points", { static_cast<hsize_t>(points.rows()), 3 }, points);

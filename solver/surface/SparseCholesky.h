@@ -1,5 +1,6 @@
 #pragma once
-// Eigen's sparse Cholesky decompositions for double precision, compiled once in the library.
+// Eigen's sparse Cholesky decomposition LDLᵀ for double precision. Who includes it here takes it from
+// the library, instead of compiling it again.
 
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
@@ -12,3 +13,7 @@ using SymmetricMatrix = Eigen::SparseMatrix<double>; ///< by columns
 using SparseCholesky = Eigen::SimplicialLDLT<SymmetricMatrix>;
 
 }
+
+extern template class Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;
+extern template class Eigen::SimplicialCholeskyBase<
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>>;

@@ -2,8 +2,7 @@
 
 #include "solver/surface/FittedCurvature.h"
 #include "solver/surface/LoopBasis.h"
-
-#include <Eigen/SparseCholesky>
+#include "solver/surface/SparseCholesky.h"
 
 namespace vesicle
 {
@@ -85,8 +84,7 @@ namespace
 Curvature weak_curvature(const Surface& surface)
 {
   const BasisTable& table = surface.space->table();
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> mass{ Eigen::SparseMatrix<double>(
-    mass_matrix(table, surface.points)) };
+  const SparseCholesky mass{ SymmetricMatrix(mass_matrix(table, surface.points)) };
   const auto projected = [&](const Eigen::VectorXd& load) -> Eigen::VectorXd
   { return surface.collocation().at_vertices(mass.solve(load)); };
   Curvature c;

@@ -92,7 +92,7 @@ enum class Format
   binary_big_endian
 };
 
-struct Header
+struct PlyHeader
 {
   Format format = Format::ascii;
   std::vector<Element> elements;
@@ -135,13 +135,13 @@ Format read_format(TextScanner& scanner)
   return static_cast<Format>(found - names.begin());
 }
 
-Header read_header(std::string_view bytes, const std::string& name)
+PlyHeader read_header(std::string_view bytes, const std::string& name)
 {
   TextScanner scanner(bytes, name);
   if (scanner.word_on_line() != "ply")
     scanner.fail("is not a PLY file: its first line should be 'ply'");
   scanner.require_end_of_line();
-  Header header;
+  PlyHeader header;
   bool has_format = false;
   while (true)
   {
@@ -185,7 +185,7 @@ Header read_header(std::string_view bytes, const std::string& name)
 class TextBody
 {
 public:
-  TextBody(std::string_view bytes, const std::string& name, const Header& header)
+  TextBody(std::string_view bytes, const std::string& name, const PlyHeader& header)
     : scanner_(bytes, name)
   {
     while (scanner_.position() < header.bytes) // counts the lines
@@ -222,7 +222,7 @@ private:
 class BinaryBody
 {
 public:
-  BinaryBody(std::string_view bytes, const std::string& name, const Header& header)
+  BinaryBody(std::string_view bytes, const std::string& name, const PlyHeader& header)
     : reader_(bytes, name,
         header.format == Format::binary_big_endian ? std::endian::big : std::endian::little)
   {
@@ -280,7 +280,7 @@ template<typename Body>
 class PlyReader
 {
 public:
-  PlyReader(Body body, const Header& header) : body_(std::move(body)), header_(header) {}
+  PlyReader(Body body, const PlyHeader& header) : body_(std::move(body)), header_(header) {}
 
   SurfaceFile read()
   {
@@ -529,7 +529,7 @@ private:
   }
 
   Body body_;
-  const Header& header_;
+  const PlyHeader& header_;
   SurfaceFile file_;
   bool has_points_ = false;
   bool has_strips_ = false;
@@ -539,7 +539,7 @@ private:
 
 SurfaceFile read_ply(std::string_view bytes, const std::string& name)
 {
-  const Header header = read_header(bytes, name);
+  const PlyHeader header = read_header(bytes, name);
   return header.format == Format::ascii
     ? PlyReader<TextBody>(TextBody(bytes, name, header), header).read()
     : PlyReader<BinaryBody>(BinaryBody(bytes, name, header), header).read();
