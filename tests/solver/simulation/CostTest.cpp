@@ -74,7 +74,7 @@ TEST(Cost, TooMuchIsRefusedWithTheNumberAndTheKey)
     EXPECT_NE(text.find(number), std::string::npos) << text;
     EXPECT_NE(text.find(key), std::string::npos) << text;
   };
-  expect({ "vesicle.triangles=20480" }, "21.5 GB", "vesicle.triangles");
+  expect({ "vesicle.triangles=40960", "accuracy.preset=fast" }, "46.3 GB", "vesicle.triangles");
   expect({ "time.output_every=1e-300" }, "1e+300 frames", "time.output_every");
   expect({ "time.step=1e-200" }, "1e+200 steps", "time.step");
   expect({ "time.end=100", "time.output_every=1e-3", "vesicle.triangles=10240" }, "123 GB",
