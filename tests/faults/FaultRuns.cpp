@@ -133,7 +133,7 @@ FaultRuns::FaultRuns(std::vector<std::string> extra)
 
 void FaultRuns::set_clock_back()
 {
-  preloaded_ = std::string(FAULTY_DISK) + ":" + BACKWARD_CLOCK;
+  preloaded_ += ":" BACKWARD_CLOCK;
 }
 
 Outcome FaultRuns::run(
