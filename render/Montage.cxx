@@ -4,6 +4,7 @@
 #include "render/PngFile.h"
 #include "render/RenderBackend.h"
 #include "render/TextStyle.h"
+#include "render/VelocityArrows.h"
 #include "render/VesicleActor.h"
 #include "solver/Errors.h"
 
@@ -30,7 +31,6 @@ constexpr int most_columns = 6;
 constexpr double largest_width = 1920;
 constexpr double shape_height = 440; // pixels of the largest panel of a single row
 constexpr double least_shape_height = 8;
-constexpr double arrow_length = 0.3;
 
 /// Pixels of a figure 720 high, as for fonts.
 constexpr double gap = 56;
@@ -130,8 +130,8 @@ PanelSurvey survey_panels(const std::vector<vtkSmartPointer<vtkPolyData>>& panel
   }
   if (picture.arrows)
   {
-    survey.framing.half_width += arrow_length * survey.framing.radius;
-    survey.framing.half_height += arrow_length * survey.framing.radius;
+    survey.framing.half_width += VelocityArrows::relative_length * survey.framing.radius;
+    survey.framing.half_height += VelocityArrows::relative_length * survey.framing.radius;
   }
   return survey;
 }
@@ -182,7 +182,7 @@ public:
     if (p.arrows)
     {
       const double speed = VelocityArrows::largest_speed(surface);
-      vesicle.show_arrows(surface, speed, arrow_length * radius);
+      vesicle.show_arrows(surface, speed, VelocityArrows::relative_length * radius);
       text += fmt::format("{}longest arrow: {:.2g}", label.empty() ? "" : ", ", speed);
     }
     vesicle.place(panel_shift(layout_, panel, surface, view_));

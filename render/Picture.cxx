@@ -6,6 +6,7 @@
 #include "render/SideChart.h"
 #include "render/SurfaceMeasures.h"
 #include "render/TextStyle.h"
+#include "render/VelocityArrows.h"
 #include "render/VesicleActor.h"
 #include "solver/Errors.h"
 
@@ -32,9 +33,8 @@ namespace vesicle
 namespace
 {
 
-constexpr double margin = 1.27;       // room about the vesicle
-constexpr double longest_arrow = 0.3; // of the vesicle's radius
-constexpr int largest_side = 16384;   // what llvmpipe draws
+constexpr double margin = 1.27;     // room about the vesicle
+constexpr int largest_side = 16384; // what llvmpipe draws
 
 constexpr double vesicle_share = 0.63; // of a picture with a chart at its side
 
@@ -262,8 +262,8 @@ void Picture::Stage::set_camera(vtkPolyData* surface, const Framing& room)
   Framing widened = room;
   if (settings.arrows)
   {
-    widened.half_width += longest_arrow * room.radius;
-    widened.half_height += longest_arrow * room.radius;
+    widened.half_width += VelocityArrows::relative_length * room.radius;
+    widened.half_height += VelocityArrows::relative_length * room.radius;
   }
   const double usable = settings.color_bar ? 1 - ColorBar::share(width(), settings.size[1]) : 1;
   aim_camera(renderer->GetActiveCamera(), view,
@@ -313,7 +313,7 @@ void Picture::draw(vtkPolyData* surface, std::optional<double> time)
   if (s.settings.arrows)
   {
     arrow_speed = std::max(s.least_arrow_speed, VelocityArrows::largest_speed(surface));
-    s.vesicle.show_arrows(surface, *arrow_speed, longest_arrow * room.radius);
+    s.vesicle.show_arrows(surface, *arrow_speed, VelocityArrows::relative_length * room.radius);
   }
   s.set_texts(time, arrow_speed);
   s.set_camera(surface, room);

@@ -18,6 +18,9 @@ namespace vesicle
 class VelocityArrows
 {
 public:
+  /// Of the longest arrow, in the vesicle's radius.
+  static constexpr double relative_length = 0.3;
+
   VelocityArrows();
 
   vtkActor* actor() const { return actor_; }

@@ -14,8 +14,6 @@ namespace
 constexpr double stale_displacement = 0.05;
 constexpr int stale_iterations = 40;
 constexpr int max_iterations = 200;
-// Up to that many vertices a dense matrix of the layer costs less than its sums.
-constexpr Eigen::Index most_dense_vertices = 3000;
 
 LayerMap layer_of(const SystemShape& shape)
 {

@@ -7,6 +7,9 @@
 namespace vesicle
 {
 
+/// Up to that many vertices the layer is a dense matrix, which costs less than its sums.
+inline constexpr Eigen::Index most_dense_vertices = 3000;
+
 class LoadStages final : public StageSolver
 {
 public:

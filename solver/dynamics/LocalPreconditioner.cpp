@@ -14,31 +14,13 @@ namespace vesicle
 namespace
 {
 
-SparseMatrix layer_inverse(const Surface& surface)
+SparseMatrix layer_inverse(const VesicleLoads& loads)
 {
+  const Surface& surface = loads.surface();
   const double nodes = static_cast<double>(surface.vertices.rows()),
                radius = std::sqrt(surface.area / (4 * std::numbers::pi)),
                k0 = 2 * std::pow(nodes, 0.25) / radius;
-  const BasisTable& table = surface.space->table();
-  return 2 / k0 * stiffness_matrix(table, surface.points) +
-    2 * k0 * mass_matrix(table, surface.points);
-}
-
-/// What R feels of normal motions of the nodes: #rows by N. Entries come in threes, a node's.
-SparseMatrix along_normals(const SparseMatrix& R, const Points& normals)
-{
-  SparseMatrix along(R.rows(), R.cols() / 3);
-  along.resizeNonZeros(R.nonZeros() / 3);
-  for (int q = 0; q <= R.rows(); ++q)
-    along.outerIndexPtr()[q] = R.outerIndexPtr()[q] / 3;
-  for (Eigen::Index k = 0; k < R.nonZeros() / 3; ++k)
-  {
-    const int node = R.innerIndexPtr()[3 * k] / 3;
-    along.innerIndexPtr()[k] = node;
-    along.valuePtr()[k] =
-      Eigen::Map<const Eigen::RowVector3d>(R.valuePtr() + 3 * k).dot(normals.row(node));
-  }
-  return along;
+  return 2 / k0 * stiffness_matrix(surface.space->table(), surface.points) + 2 * k0 * loads.mass();
 }
 
 SparseMatrix gram(const SparseMatrix& R)
@@ -46,26 +28,31 @@ SparseMatrix gram(const SparseMatrix& R)
   return SparseMatrix(R.transpose()) * R;
 }
 
-SparseMatrix three_times(const SparseMatrix& scalar)
+using Entries = std::vector<Eigen::Triplet<double>>;
+
+// Of scalar ⊗ 1₃.
+Entries three_times(const SparseMatrix& scalar)
 {
-  std::vector<Eigen::Triplet<double>> entries;
+  Entries entries;
   for (int i = 0; i < scalar.rows(); ++i)
     for (SparseMatrix::InnerIterator it(scalar, i); it; ++it)
       for (int d = 0; d < 3; ++d)
         entries.emplace_back(3 * i + d, 3 * static_cast<int>(it.col()) + d, it.value());
-  SparseMatrix result(3 * scalar.rows(), 3 * scalar.cols());
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
+  return entries;
+}
+
+template<class Matrix>
+Matrix square(Eigen::Index size, const Entries& entries)
+{
+  Matrix matrix(size, size);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
 }
 
 SymmetricMatrix saddle_matrix(const SparseMatrix& layer_inverse, const ConstraintRows* constraint)
 {
   const Eigen::Index n = layer_inverse.rows();
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int i = 0; i < n; ++i)
-    for (SparseMatrix::InnerIterator it(layer_inverse, i); it; ++it)
-      for (int d = 0; d < 3; ++d)
-        entries.emplace_back(3 * i + d, 3 * static_cast<int>(it.col()) + d, it.value());
+  Entries entries = three_times(layer_inverse);
   if (constraint)
   {
     const int first = static_cast<int>(3 * n);
@@ -80,10 +67,7 @@ SymmetricMatrix saddle_matrix(const SparseMatrix& layer_inverse, const Constrain
         entries.emplace_back(first + i, first + static_cast<int>(it.col()), it.value());
     }
   }
-  const Eigen::Index size = constraint ? 4 * n : 3 * n;
-  SymmetricMatrix result(size, size);
-  result.setFromTriplets(entries.begin(), entries.end());
-  return result;
+  return square<SymmetricMatrix>(constraint ? 4 * n : 3 * n, entries);
 }
 
 void require(const SparseCholesky& factors)
@@ -98,14 +82,14 @@ void LocalPreconditioner::build(const VesicleLoads& loads)
 {
   const Surface& surface = loads.surface();
   nodes_ = surface.vertices.rows();
-  layer_inverse_ = layer_inverse(surface);
+  const SparseMatrix layer_inverse = vesicle::layer_inverse(loads);
   has_tension_ = loads.has_tension();
   taut_ = loads.taut();
-  saddle_.compute(saddle_matrix(layer_inverse_, has_tension_ ? &loads.constraint() : nullptr));
+  saddle_.compute(saddle_matrix(layer_inverse, has_tension_ ? &loads.constraint() : nullptr));
   require(saddle_);
   volume_rate_ = loads.volume_rate();
   vertex_area_ = surface.vertex_area;
-  pushed_normal_ = flat(Points(layer_inverse_ * rows_of_three(loads.normal())));
+  pushed_normal_ = flat(Points(layer_inverse * rows_of_three(loads.normal())));
   const double pushed = pushed_normal_.dot(loads.normal());
   Eigen::MatrixXd right_sides =
     Eigen::MatrixXd::Zero((has_tension_ ? 4 : 3) * nodes_, taut_ ? 3 : 2);
@@ -132,16 +116,15 @@ Eigen::VectorXd LocalPreconditioner::border_rows(const Eigen::VectorXd& y) const
 
 void LocalPreconditioner::build_stiff(const VesicleLoads& loads, double tau)
 {
-  const Points& normals = loads.surface().normals;
   const bool material = loads.motion().kind() == NodeMotionKind::material;
-  layer_inverse_now_ = layer_inverse(loads.surface());
+  layer_inverse_ = layer_inverse(loads);
   if (material)
-    layer_inverse_now_ = three_times(layer_inverse_now_);
-  SparseMatrix sum = layer_inverse_now_;
+    layer_inverse_ = square<SparseMatrix>(3 * layer_inverse_.rows(), three_times(layer_inverse_));
+  SparseMatrix sum = layer_inverse_;
   if (tau > 0 && loads.stiff())
-    sum += 2 * tau * gram(material ? loads.rates() : along_normals(loads.rates(), normals));
+    sum += 2 * tau * gram(material ? loads.rates() : loads.rates_along(loads.surface().normals));
   if (loads.taut())
-    sum += 2 * gram(along_normals(loads.resisting_rates(), normals));
+    sum += loads.resistance();
   stiff_.compute(SymmetricMatrix(sum));
   require(stiff_);
 }
@@ -155,9 +138,9 @@ LoadUnknowns LocalPreconditioner::solve(
   {
     if (loads.motion().kind() == NodeMotionKind::normal)
       x.parameters = collocation.at_vertices(Eigen::VectorXd(
-        stiff_.solve(layer_inverse_now_ * Eigen::VectorXd(collocation.fit(residual.parameters)))));
+        stiff_.solve(layer_inverse_ * Eigen::VectorXd(collocation.fit(residual.parameters)))));
     else
-      x.parameters = stiff_.solve(layer_inverse_now_ * residual.parameters);
+      x.parameters = stiff_.solve(layer_inverse_ * residual.parameters);
   }
   Eigen::VectorXd y = Eigen::VectorXd::Zero(columns_.rows()), wanted(columns_.cols());
   wanted.head(2) << residual.pressure, residual.volume_speed;

@@ -29,7 +29,7 @@ private:
   Eigen::VectorXd border_rows(const Eigen::VectorXd& w_and_tension) const;
 
   Eigen::Index nodes_ = 0;
-  SparseMatrix layer_inverse_, layer_inverse_now_; ///< A_i
+  SparseMatrix layer_inverse_; ///< A_i of the stiff terms' part
   SparseCholesky saddle_, stiff_;
   /// What p, c and, of a taut sphere, the slack of the total area add to (w, γ): columns.
   Eigen::MatrixXd columns_;

@@ -13,6 +13,15 @@ namespace
 
 using Row3 = Eigen::RowVector3d;
 
+// U + n n·(u − U).
+Points normal_motion(const Surface& surface, const Points& velocity)
+{
+  const Row3 U = surface.mean_velocity(flat(velocity)).transpose();
+  const Eigen::VectorXd speed =
+    surface.normals.cwiseProduct(velocity.rowwise() - U).rowwise().sum();
+  return rows_of_three(scaled_rows(surface.normals, speed)).rowwise() + U;
+}
+
 }
 
 double tangential_speed(const Surface& surface, const Points& velocity)
@@ -32,13 +41,16 @@ double relaxation_rate(const Surface& surface, const Points& velocity, double sc
   return 0.2 * scene_rate + 3 * tangential_speed(surface, velocity);
 }
 
-Points equidistributing_velocity(const Surface& surface, const AdjacencyList& neighbours,
-  const Points& velocity, double scene_rate)
+namespace
 {
-  const Row3 U = surface.mean_velocity(flat(velocity)).transpose();
+
+// κ P_t (area-weighted mean of the neighbours − x).
+Points relaxation(const Surface& surface, const AdjacencyList& neighbours, const Points& velocity,
+  double scene_rate)
+{
   const double kappa = relaxation_rate(surface, velocity, scene_rate);
   const Points& points = surface.vertices;
-  Points w(points.rows(), 3);
+  Points t(points.rows(), 3);
   for (int i = 0; i < points.rows(); ++i)
   {
     const Row3 n = surface.normals.row(i);
@@ -50,9 +62,17 @@ Points equidistributing_velocity(const Surface& surface, const AdjacencyList& ne
       area += surface.vertex_area[*j];
     }
     to_mean /= area;
-    w.row(i) = U + (velocity.row(i) - U).dot(n) * n + kappa * (to_mean - to_mean.dot(n) * n);
+    t.row(i) = kappa * (to_mean - to_mean.dot(n) * n);
   }
-  return w;
+  return t;
+}
+
+}
+
+Points equidistributing_velocity(const Surface& surface, const AdjacencyList& neighbours,
+  const Points& velocity, double scene_rate)
+{
+  return normal_motion(surface, velocity) + relaxation(surface, neighbours, velocity, scene_rate);
 }
 
 Points sliding_velocity(const VesicleLoads& loads, const AdjacencyList& neighbours,
@@ -62,16 +82,13 @@ Points sliding_velocity(const VesicleLoads& loads, const AdjacencyList& neighbou
   // k = π/h is h/13; a multiple moves the mesh as far as the steps allow.
   constexpr double mobility_in_edges = 0.125;
   const Surface& surface = loads.surface();
-  const Row3 U = surface.mean_velocity(flat(velocity)).transpose();
-  const Eigen::VectorXd normal =
-    surface.normals.cwiseProduct(velocity.rowwise() - U).rowwise().sum();
-  const Points motion = rows_of_three(scaled_rows(surface.normals, normal)).rowwise() + U;
-  const Points wanted =
-    equidistributing_velocity(surface, neighbours, velocity, scene_rate) - motion;
-  const double released = -loads.gradient().dot(loads.motion().velocity(normal)),
+  const NodeMotion normal(surface, NodeMotionKind::normal);
+  const double released = -loads.gradient().dot(normal.velocity(normal.parameters(flat(velocity)))),
                edge = std::sqrt(surface.area / static_cast<double>(surface.vertices.rows()));
+  const Row3 U = surface.mean_velocity(flat(velocity)).transpose();
   const Points relative = reference.rows() > 0 ? Points(reference.rowwise() - U) : Points(0, 3);
-  return motion +
+  const Points wanted = relaxation(surface, neighbours, velocity, scene_rate);
+  return normal_motion(surface, velocity) +
     rows_of_three(tangential_motion(
       loads, flat(wanted), flat(relative), released, tau, mobility_in_edges * edge));
 }

@@ -70,21 +70,7 @@ public:
               it.value() * T_.row(i).segment<3>(3 * a).dot(T_.row(it.col()).segment<3>(3 * b)));
     X_.resize(2 * n, 2 * n);
     X_.setFromTriplets(entries.begin(), entries.end());
-    const SparseMatrix& R = loads.rates();
-    SparseMatrix along(R.rows(), 2 * n);
-    along.resizeNonZeros(R.nonZeros() / 3 * 2);
-    for (int q = 0; q <= R.rows(); ++q)
-      along.outerIndexPtr()[q] = R.outerIndexPtr()[q] / 3 * 2;
-    for (Eigen::Index k = 0; k < R.nonZeros() / 3; ++k)
-    {
-      const int node = R.innerIndexPtr()[3 * k] / 3;
-      const Eigen::Map<const Eigen::RowVector3d> row(R.valuePtr() + 3 * k);
-      for (int a = 0; a < 2; ++a)
-      {
-        along.innerIndexPtr()[2 * k + a] = 2 * node + a;
-        along.valuePtr()[2 * k + a] = row.dot(T_.row(node).segment<3>(3 * a));
-      }
-    }
+    const SparseMatrix along = loads.rates_along(T_);
     Eigen::VectorXd twice(2 * n);
     for (Eigen::Index i = 0; i < n; ++i)
       twice.segment<2>(2 * i).setConstant(weight_[i]);

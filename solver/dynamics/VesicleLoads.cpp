@@ -1,7 +1,5 @@
 #include "solver/dynamics/VesicleLoads.h"
 
-#include <cmath>
-
 namespace vesicle
 {
 
@@ -11,38 +9,6 @@ namespace
 // Of a taut sphere, over the fluid's viscosity times its radius: large enough that what it lets
 // through is negligible.
 constexpr double taut_resistance = 1e4;
-
-// Rows √(factor dS/2) ∇N_k n, in an orthonormal frame of the tangent plane: 2 RᵀR is the factor times
-// ∮ ∇u_n·∇u_n dS, the part of the second variation of the area that makes it grow.
-SparseMatrix area_growth(const BasisTable& table, const SurfacePoints& s, double factor)
-{
-  SparseMatrix rows(2 * table.rows(), 3L * table.nodes);
-  rows.resizeNonZeros(6 * static_cast<Eigen::Index>(table.node.size()));
-  int entry = 0;
-  for (int q = 0; q < table.rows(); ++q)
-  {
-    const Eigen::RowVector3d a = s.tangent_u.row(q), b = s.tangent_v.row(q),
-                             n = s.cross.row(q).normalized();
-    const double length = a.norm(), J = s.cross.row(q).norm(),
-                 root = std::sqrt(factor * s.area_weight[q] / 2);
-    for (int second = 0; second < 2; ++second)
-    {
-      rows.outerIndexPtr()[2 * q + second] = entry;
-      for (int k = table.start[q]; k < table.start[q + 1]; ++k)
-      {
-        const double slope = second ? (table.dv[k] * length - table.du[k] * a.dot(b) / length) / J
-                                    : table.du[k] / length;
-        for (int d = 0; d < 3; ++d, ++entry)
-        {
-          rows.innerIndexPtr()[entry] = 3 * table.node[k] + d;
-          rows.valuePtr()[entry] = root * slope * n[d];
-        }
-      }
-    }
-  }
-  rows.outerIndexPtr()[2 * table.rows()] = entry;
-  return rows;
-}
 
 SparseMatrix one_below_the_other(const std::vector<SparseMatrix>& parts)
 {
@@ -104,18 +70,40 @@ void VesicleLoads::hold_taut(double rate)
   area_share_ = -area_gradient_;
   taut_load_ =
     -taut_resistance * rate * motion_.adjoint(area_gradient_ - pressure * volume_gradient_);
-  resisting_rates_ = area_growth(surface_->space->table(), surface_->points, taut_resistance);
+  resistance_ = taut_resistance * stiffness_matrix(surface_->space->table(), surface_->points);
 }
 
-Eigen::VectorXd VesicleLoads::resisting_load(const Eigen::VectorXd& parameters) const
+Eigen::VectorXd VesicleLoads::resisting_load(const Eigen::VectorXd& speeds) const
 {
-  return -motion_.parameters_adjoint(motion_.velocity_adjoint(
-    2 * (resisting_rates_.transpose() * (resisting_rates_ * motion_.velocity(parameters)))));
+  const Collocation& collocation = surface_->collocation();
+  return -motion_.parameters_adjoint(
+    collocation.fit_adjoint(resistance_ * Eigen::VectorXd(collocation.fit(speeds))));
 }
 
 Eigen::VectorXd VesicleLoads::taut_load(const Eigen::VectorXd& at_vertices) const
 {
   return taut_load_ + resisting_load(motion_.parameters(at_vertices));
+}
+
+// A row's entries come in threes, a node's.
+SparseMatrix VesicleLoads::rates_along(const Eigen::Ref<const DirectionRows>& directions) const
+{
+  const Eigen::Index count = directions.cols() / 3;
+  SparseMatrix along(rates_.rows(), count * directions.rows());
+  along.resizeNonZeros(rates_.nonZeros() / 3 * count);
+  for (int q = 0; q <= rates_.rows(); ++q)
+    along.outerIndexPtr()[q] = static_cast<int>(rates_.outerIndexPtr()[q] / 3 * count);
+  for (Eigen::Index k = 0; k < rates_.nonZeros() / 3; ++k)
+  {
+    const int node = rates_.innerIndexPtr()[3 * k] / 3;
+    const Eigen::Map<const Eigen::RowVector3d> rate(rates_.valuePtr() + 3 * k);
+    for (Eigen::Index a = 0; a < count; ++a)
+    {
+      along.innerIndexPtr()[count * k + a] = static_cast<int>(count * node + a);
+      along.valuePtr()[count * k + a] = rate.dot(directions.row(node).segment<3>(3 * a));
+    }
+  }
+  return along;
 }
 
 Eigen::VectorXd VesicleLoads::load() const

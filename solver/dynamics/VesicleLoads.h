@@ -44,6 +44,9 @@ public:
   /// R of all stiff terms, one below the other; no rows if none is stiff.
   const SparseMatrix& rates() const { return rates_; }
   bool stiff() const { return rates_.rows() > 0; }
+  /// R for motions of the nodes along m directions each, whose rows hold 3 m numbers: #rows by m N.
+  using DirectionRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  SparseMatrix rates_along(const Eigen::Ref<const DirectionRows>& directions) const;
   /// K δc = 2 RᵀR δc.
   Eigen::VectorXd stiffness(const Eigen::VectorXd& displacement) const
   {
@@ -62,10 +65,11 @@ public:
   /// Close to a sphere, where a uniform tension is a pressure: there B̂ leaves the total area out, a
   /// row of −gauge (m·γ) m/Σm gives the tension a mean of 0, and the membrane is pulled taut.
   bool taut() const { return taut_load_.size() > 0; }
-  /// The load of the resistance to ν, and the rows that it is made of, which feel the motion of the
-  /// control points along n.
-  Eigen::VectorXd resisting_load(const Eigen::VectorXd& parameters) const;
-  const SparseMatrix& resisting_rates() const { return resisting_rates_; }
+  /// The load of the resistance to the normal speeds ν, and its matrix as if ν were the control
+  /// points': the resistance times ∮ ∇N_j·∇N_k dS, the part of the second variation of the area that
+  /// makes it grow.
+  Eigen::VectorXd resisting_load(const Eigen::VectorXd& speeds) const;
+  const SparseMatrix& resistance() const { return resistance_; }
   /// The load that holds the membrane taut where the vertices have these velocities.
   Eigen::VectorXd taut_load(const Eigen::VectorXd& at_vertices) const;
   /// −p (Qᵀv − v): the pressure's load less that of a uniform pressure, which moves nothing.
@@ -81,6 +85,7 @@ public:
 
   static constexpr double gauge = 1; ///< in r0/μ
 
+  const SparseMatrix& mass() const { return mass_; } ///< M
   /// The density of a load, M⁻¹ of each component, and the load of a density.
   Eigen::VectorXd density(const Eigen::VectorXd& load) const;
   Eigen::VectorXd load_of(const Eigen::VectorXd& density) const;
@@ -93,7 +98,7 @@ private:
   std::vector<Eigen::VectorXd> loads_;
   Eigen::VectorXd taut_load_; ///< or empty
   Eigen::VectorXd gradient_;
-  SparseMatrix rates_, resisting_rates_;
+  SparseMatrix rates_, resistance_;
   std::shared_ptr<const ConstraintRows> constraint_; ///< none: no tension
   Eigen::VectorXd area_gradient_, area_share_, volume_gradient_, volume_rate_, normal_;
   SparseMatrix mass_;

@@ -46,7 +46,8 @@ void check_corners(const PolygonList& polygons, std::int64_t points, const std::
   int first = 0, const std::string& what = "face");
 
 /// Throws InputError unless offsets, as VTK's cell arrays have them, start at 0, don't descend and
-/// end at the number of corners; where there are no cells they may be missing. `what` names the cells: "polygons".
+/// end at the number of corners; where there are no cells they may be missing. `what` names the
+/// cells: "polygons".
 void check_offsets(std::span<const std::int64_t> offsets, std::int64_t corners,
   const std::string& what, const std::string& name);
 

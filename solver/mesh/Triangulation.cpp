@@ -82,7 +82,7 @@ std::vector<Vector2> in_own_plane(const Points& points, const PolygonCorners& co
   return result;
 }
 
-/// PolygonCorners by place: squares about as many as corners.
+/// Corners by place: squares about as many as corners.
 class CornerGrid
 {
 public:

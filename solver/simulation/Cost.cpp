@@ -1,6 +1,7 @@
 #include "solver/simulation/Cost.h"
 
 #include "solver/Errors.h"
+#include "solver/dynamics/LoadStages.h"
 #include "solver/files/FileBytes.h"
 
 #include <fmt/format.h>
@@ -24,8 +25,8 @@ constexpr double program_bytes = 6e7;
 constexpr double flat_bytes_a_triangle = 2.3e4, loop_bytes_a_triangle = 5e4;
 constexpr double flat_bytes_a_pair = 27, loop_bytes_a_pair = 27;
 constexpr double flat_seconds_a_pair = 1.7e-8, loop_seconds_a_pair = 1.5e-7;
-// On Loop's surface larger meshes have no dense matrix (dynamics/LoadStages.cpp).
-constexpr double most_dense_pairs = 6000. * 6000.;
+// On Loop's surface larger meshes have no dense matrix: two triangles a vertex.
+constexpr double most_dense_pairs = 4. * most_dense_vertices * most_dense_vertices;
 // Points, triangles and a dozen point arrays.
 constexpr double frame_bytes_a_triangle = 120;
 // Colours and depths, with the samples that smooth edges.

@@ -54,6 +54,11 @@ Eigen::MatrixXd Collocation::fit(const Eigen::MatrixXd& at_vertices) const
   return factors_ ? Eigen::MatrixXd(factors_->fit.solve(at_vertices)) : at_vertices;
 }
 
+Eigen::MatrixXd Collocation::fit_adjoint(const Eigen::MatrixXd& of_control) const
+{
+  return factors_ ? Eigen::MatrixXd(factors_->fit_transposed.solve(of_control)) : of_control;
+}
+
 Eigen::VectorXd Collocation::to_control(const Eigen::VectorXd& at_vertices) const
 {
   return factors_ ? solve(factors_->fit, at_vertices) : at_vertices;

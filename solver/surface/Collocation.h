@@ -24,6 +24,9 @@ public:
   Eigen::VectorXd at_vertices(const Eigen::VectorXd& nodal) const;
   /// P⁻¹ of N by m columns: what a field has at the control points from its values at the vertices.
   Eigen::MatrixXd fit(const Eigen::MatrixXd& at_vertices) const;
+  /// P⁻ᵀ of N by m columns: functionals of the values at the vertices from those of the control
+  /// points' values.
+  Eigen::MatrixXd fit_adjoint(const Eigen::MatrixXd& of_control) const;
   /// P⁻¹ of a vector: velocities of the control points from those of the vertices.
   Eigen::VectorXd to_control(const Eigen::VectorXd& at_vertices) const;
   /// P of a vector, and Pᵀ: of the vertices' velocities from the control points', of functionals the

@@ -3,6 +3,8 @@
 
 #include "solver/files/FileBytes.h"
 
+#include "tests/support/Damage.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -49,33 +51,6 @@ std::vector<std::filesystem::path> seeds_of(const std::string& target)
   return seeds;
 }
 
-/// One to four changes: a byte, a bit, bytes put in, left out or repeated.
-std::string damaged(std::string bytes, std::mt19937& random)
-{
-  for (unsigned changes = 1 + random() % 4; changes > 0 && !bytes.empty(); --changes)
-  {
-    const std::size_t place = random() % bytes.size();
-    switch (random() % 5)
-    {
-      case 0:
-        bytes[place] = static_cast<char>(random());
-        break;
-      case 1:
-        bytes[place] = static_cast<char>(bytes[place] ^ (1 << random() % 8));
-        break;
-      case 2:
-        bytes.insert(place, 1 + random() % 3, "0123456789-+.enai \n"[random() % 19]);
-        break;
-      case 3:
-        bytes.erase(place, 1 + random() % 8);
-        break;
-      default:
-        bytes.insert(random() % bytes.size(), bytes.substr(place, 1 + random() % 16));
-    }
-  }
-  return bytes;
-}
-
 class Fuzz : public testing::TestWithParam<Target>
 {
 };
@@ -102,7 +77,7 @@ TEST_P(Fuzz, DamagedSeedsAreTakenWithoutAFault)
     const auto& seed = seeds[static_cast<std::size_t>(i) % seeds.size()];
     SCOPED_TRACE(seed.string() + ", damage " + std::to_string(i));
     std::mt19937 random(static_cast<unsigned>(i));
-    const std::string bytes = damaged(read_file(seed), random);
+    const std::string bytes = test::damaged(read_file(seed), 1 + random() % 4, random);
     EXPECT_NO_THROW(GetParam().run(bytes));
   }
 }

@@ -7,6 +7,7 @@
 #include "solver/mesh/remesh/IsotropicMesh.h"
 #include "solver/mesh/remesh/ProjectedMesh.h"
 #include "solver/mesh/remesh/SemiRegularMesh.h"
+#include "solver/mesh/remesh/TriangleCount.h"
 
 #include <fmt/format.h>
 
@@ -20,7 +21,6 @@ namespace vesicle
 
 namespace
 {
-constexpr int fewest_triangles = 20;    // the icosahedron
 constexpr int most_triangles = 200'000; // about a gigabyte of work space
 /// Of the input's vertices to the new triangles, in r0: the icosahedron's faces are 0.21 inside the
 /// sphere through its corners.

@@ -13,7 +13,6 @@ namespace vesicle
 
 namespace
 {
-constexpr int icosahedron_triangles = 20; // the icosahedron
 /// A closed mesh of genus 0 has at least twelve vertices with five neighbours if none has fewer.
 constexpr int fewest_extraordinary = 12;
 /// How many vertices of a coarse mesh get five or seven neighbours is chance: several are made.
@@ -38,7 +37,7 @@ int coarse_count(int triangles, int refinements)
   const double pieces = std::pow(4, refinements);
   const int count = 2 * static_cast<int>(std::round(triangles / pieces / 2));
   const bool near = std::abs(count * pieces - triangles) <= allowed_deviation * triangles;
-  return near && count >= icosahedron_triangles ? count : 0;
+  return near && count >= fewest_triangles ? count : 0;
 }
 
 void refine_and_smooth(EditableMesh& mesh, const SurfaceSmoother& smoother, int refinements)
@@ -82,7 +81,7 @@ std::optional<EditableMesh> best_mesh(const SurfaceSmoother& smoother, int coars
 std::optional<EditableMesh> semi_regular_mesh(const SurfaceSmoother& smoother, int triangles)
 {
   int most_refinements = 0;
-  while (triangles >> 2 * (most_refinements + 1) >= icosahedron_triangles)
+  while (triangles >> 2 * (most_refinements + 1) >= fewest_triangles)
     ++most_refinements;
   for (int refinements = most_refinements; refinements >= 0; --refinements)
   {

@@ -7,6 +7,9 @@
 namespace vesicle
 {
 
+/// The icosahedron's.
+constexpr int fewest_triangles = 20;
+
 /// Of the number of triangles asked for, relatively, where a better mesh has another one.
 constexpr double allowed_deviation = 0.01;
 

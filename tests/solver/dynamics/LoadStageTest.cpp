@@ -156,7 +156,7 @@ TEST_P(LoadStages, TwoVesiclesFarApartMoveAsAlone)
 
 // A sphere can't deform: in shear it turns at half the rate, whatever the implicit time, and its
 // tension, free of a gauge, has no mean.
-TEST_P(LoadStages, OfASphereTurnRigidly)
+TEST_P(LoadStages, ASphereTurnsRigidly)
 {
   for (const double tau : { 0., 0.1 })
   {
@@ -175,7 +175,8 @@ TEST_P(LoadStages, OfASphereTurnRigidly)
     solid.col(0) = mesh.points.col(2) / 2;
     solid.col(1).setZero();
     solid.col(2) = -mesh.points.col(0) / 2;
-    EXPECT_LT((rows_of_three(s.solution.velocity) - solid).rowwise().norm().maxCoeff(), 5e-3);
+    EXPECT_LT(
+      (rows_of_three(s.solution.velocity) - solid).rowwise().norm().maxCoeff(), 3e-3); // 1.9e-3
   }
 }
 

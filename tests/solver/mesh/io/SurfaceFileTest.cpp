@@ -4,6 +4,7 @@
 #include "solver/mesh/MeshIntegrals.h"
 #include "solver/mesh/Topology.h"
 #include "tests/solver/mesh/io/SampleFiles.h"
+#include "tests/support/Damage.h"
 
 #include <gtest/gtest.h>
 
@@ -83,28 +84,7 @@ TEST_P(SurfaceFiles, DamagedAreRefusedOrAMesh)
   std::mt19937 random(1);
   for (int round = 0; round < 4000; ++round)
   {
-    std::string bytes = sample.bytes;
-    for (int k = 0; k <= round % 4; ++k)
-    {
-      const std::size_t place = random() % bytes.size();
-      switch (random() % 4)
-      {
-        case 0:
-          bytes[place] = static_cast<char>(random());
-          break;
-        case 1:
-          bytes[place] = static_cast<char>(bytes[place] ^ (1 << random() % 8));
-          break;
-        case 2:
-          bytes.insert(place, 1 + random() % 3, "0123456789-+.enai \n"[random() % 19]);
-          break;
-        default:
-          bytes.erase(place, 1 + random() % 8);
-      }
-      if (bytes.empty())
-        break;
-    }
-    triangles_of(sample, bytes);
+    triangles_of(sample, damaged(sample.bytes, 1 + round % 4, random));
   }
 }
 
