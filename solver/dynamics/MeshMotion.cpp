@@ -1,6 +1,7 @@
 #include "solver/dynamics/MeshMotion.h"
 
 #include "solver/dynamics/TangentialMotion.h"
+#include "solver/mesh/SizingLaw.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,27 +45,18 @@ double relaxation_rate(const Surface& surface, const Points& velocity, double sc
 namespace
 {
 
-// κ P_t (area-weighted mean of the neighbours − x).
+// κ P_t (towards the wanted edge lengths). The mean of centroids is two thirds of the way to that of
+// the neighbours.
 Points relaxation(const Surface& surface, const AdjacencyList& neighbours, const Points& velocity,
   double scene_rate)
 {
   const double kappa = relaxation_rate(surface, velocity, scene_rate);
-  const Points& points = surface.vertices;
-  Points t(points.rows(), 3);
-  for (int i = 0; i < points.rows(); ++i)
-  {
-    const Row3 n = surface.normals.row(i);
-    Row3 to_mean = Row3::Zero();
-    double area = 0;
-    for (const int* j = neighbours.begin(i); j != neighbours.end(i); ++j)
-    {
-      to_mean += surface.vertex_area[*j] * (points.row(*j) - points.row(i));
-      area += surface.vertex_area[*j];
-    }
-    to_mean /= area;
-    t.row(i) = kappa * (to_mean - to_mean.dot(n) * n);
-  }
-  return t;
+  const Triangles& triangles = surface.space->triangles();
+  const Eigen::VectorXd wanted = wanted_edge_lengths({}, surface.vertices, neighbours,
+    squared_curvature(surface), surface.vertex_area, static_cast<int>(triangles.rows()));
+  const Points t = 1.5 * kappa * towards_wanted(surface.vertices, triangles, wanted);
+  return t -
+    rows_of_three(scaled_rows(surface.normals, t.cwiseProduct(surface.normals).rowwise().sum()));
 }
 
 }
@@ -81,16 +73,20 @@ Points sliding_velocity(const VesicleLoads& loads, const AdjacencyList& neighbou
   // The mobility of a force on an edge's length of membrane, in edges: 1/(4k) at the shortest wave
   // k = π/h is h/13; a multiple moves the mesh as far as the steps allow.
   constexpr double mobility_in_edges = 0.125;
+  // K is the Gauss–Newton part of the energy's second variation. Along the surface the rest is about
+  // as large, and a step that is implicit in K alone shakes the mesh, and the forces with it, as hard
+  // as the step control lets it. Nothing is lost by more: that motion has no accuracy to keep.
+  constexpr double implicitness = 4;
   const Surface& surface = loads.surface();
   const NodeMotion normal(surface, NodeMotionKind::normal);
   const double released = -loads.gradient().dot(normal.velocity(normal.parameters(flat(velocity)))),
                edge = std::sqrt(surface.area / static_cast<double>(surface.vertices.rows()));
-  const Row3 U = surface.mean_velocity(flat(velocity)).transpose();
-  const Points relative = reference.rows() > 0 ? Points(reference.rowwise() - U) : Points(0, 3);
+  const Points along_normals = normal_motion(surface, velocity);
+  const Points otherwise = reference.rows() > 0 ? Points(along_normals - reference) : along_normals;
   const Points wanted = relaxation(surface, neighbours, velocity, scene_rate);
-  return normal_motion(surface, velocity) +
-    rows_of_three(tangential_motion(
-      loads, flat(wanted), flat(relative), released, tau, mobility_in_edges * edge));
+  return along_normals +
+    rows_of_three(tangential_motion(loads, flat(wanted), flat(otherwise), released,
+      implicitness * tau, mobility_in_edges * edge));
 }
 
 }

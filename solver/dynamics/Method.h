@@ -20,7 +20,7 @@ enum class Integrator
 /// How nodes move along the membrane.
 enum class MeshMotion
 {
-  equidistribute, ///< keeping their distances
+  equidistribute, ///< spread by the curvature (SizingLaw.h)
   material        ///< with the lipids
 };
 

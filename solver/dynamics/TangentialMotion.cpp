@@ -93,12 +93,12 @@ public:
       result.segment<2>(2 * i) = weight_[i] * d.segment<2>(2 * i);
     return result;
   }
-  /// τ TᵀP⁻ᵀK P⁻¹T d.
-  Eigen::VectorXd stiffness(const Eigen::VectorXd& d) const
+  /// τ TᵀP⁻ᵀK P⁻¹w of velocities w at the vertices.
+  Eigen::VectorXd stiffness(const Eigen::VectorXd& w) const
   {
     if (!stiff())
-      return Eigen::VectorXd::Zero(d.size());
-    return tau_ * dual(loads_.stiffness(loads_.surface().to_control(spread(T_, d))));
+      return Eigen::VectorXd::Zero(2 * T_.rows());
+    return tau_ * dual(loads_.stiffness(loads_.surface().to_control(w)));
   }
   /// By conjugate gradients.
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const
@@ -129,7 +129,10 @@ public:
 
 private:
   bool stiff() const { return loads_.stiff() && tau_ > 0; }
-  Eigen::VectorXd apply(const Eigen::VectorXd& d) const { return weighted(d) + stiffness(d); }
+  Eigen::VectorXd apply(const Eigen::VectorXd& d) const
+  {
+    return weighted(d) + stiffness(spread(T_, d));
+  }
   Eigen::VectorXd precondition(const Eigen::VectorXd& r) const
   {
     return X_ * Eigen::VectorXd(factors_.solve(X_.transpose() * r));
@@ -146,7 +149,7 @@ private:
 }
 
 Eigen::VectorXd tangential_motion(const VesicleLoads& loads, const Eigen::VectorXd& wanted,
-  const Eigen::VectorXd& reference, double released, double tau, double beta)
+  const Eigen::VectorXd& otherwise, double released, double tau, double beta)
 {
   constexpr double largest_share = 0.5;
   const TangentialForm form(loads, tau, beta);
@@ -161,9 +164,8 @@ Eigen::VectorXd tangential_motion(const VesicleLoads& loads, const Eigen::Vector
     return d - x[0] * a_solved - x[1] * v_solved;
   };
   const Eigen::VectorXd g_solved = neutral(form.solve(g));
-  Eigen::VectorXd drive = form.weighted(gathered(form.tangents(), wanted));
-  if (reference.size() > 0)
-    drive += form.stiffness(gathered(form.tangents(), reference));
+  const Eigen::VectorXd drive =
+    form.weighted(gathered(form.tangents(), wanted)) - form.stiffness(otherwise);
   Eigen::VectorXd d = neutral(form.solve(drive)) - g_solved;
   const double rise = g.dot(d), excess = rise - largest_share * std::max(0., released);
   if (excess > 0 && g.dot(g_solved) > 0)

@@ -8,13 +8,13 @@ namespace vesicle
 {
 
 /// Tangential velocities t at the vertices, 3N, that minimise for an implicit time τ
-///   ½ Σ_i m_i |t_i − wanted_i|²/β + g·P⁻¹t + ½ τ P⁻¹(t − reference)·K P⁻¹(t − reference)
-/// with a·P⁻¹t = v·P⁻¹t = 0 (`reference`: 3N, its tangential part counts, or empty): where the mesh
-/// may move freely it does as wanted, where that costs energy it doesn't, and it slides down the
-/// energy's own gradient. What is left of an energy that rises is cut to half of `released`, the
-/// rate at which the normal motion gives energy away. β, a length over the viscosity, is the mobility
-/// of the mesh.
+///   ½ Σ_i m_i |t_i − wanted_i|²/β + g·P⁻¹t + ½ τ P⁻¹(t + otherwise)·K P⁻¹(t + otherwise)
+/// with a·P⁻¹t = v·P⁻¹t = 0: where the mesh may move freely it does as wanted, where that costs
+/// energy it doesn't, and it slides down the energy's own gradient. `otherwise`: how else the
+/// vertices move, less the velocities that g is known to follow already, 3N; a translation doesn't
+/// count. What is left of an energy that rises is cut to half of `released`, the rate at which the
+/// normal motion gives energy away. β, a length over the viscosity, is the mobility of the mesh.
 Eigen::VectorXd tangential_motion(const VesicleLoads& loads, const Eigen::VectorXd& wanted,
-  const Eigen::VectorXd& reference, double released, double tau, double beta);
+  const Eigen::VectorXd& otherwise, double released, double tau, double beta);
 
 }

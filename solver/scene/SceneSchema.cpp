@@ -261,7 +261,7 @@ SceneTable accuracy_table()
       "of second or first order in time; \"imex-euler\" with the preset \"paper\""),
     key("mesh_motion", at(&Scene::accuracy, &Accuracy::mesh_motion),
       rules::Choice{ mesh_motion_names }, "",
-      "whether vertices keep their distances along the membrane or move with its lipids; "
+      "whether vertices spread by the membrane's curvature or move with its lipids; "
       "\"material\" with the preset \"paper\""),
     key("quadrature", at(&Scene::accuracy, &Accuracy::quadrature),
       rules::Integer{ quadrature_points }, "",

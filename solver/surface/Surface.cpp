@@ -116,6 +116,20 @@ Curvature vertex_curvature(const Surface& surface)
   return fitted_curvature({ surface.vertices, surface.space->triangles() }).curvature;
 }
 
+Eigen::VectorXd squared_curvature(const Surface& surface)
+{
+  const auto sum_of_squares = [](const auto& mean, const auto& gauss) -> Eigen::VectorXd
+  { return (4 * mean.cwiseAbs2() - 2 * gauss).cwiseMax(0); };
+  if (!surface.curvature)
+  {
+    const Curvature c = vertex_curvature(surface);
+    return sum_of_squares(c.mean, c.gauss);
+  }
+  return moments(surface.space->table(), surface.points,
+    sum_of_squares(surface.curvature->mean, surface.curvature->gauss))
+    .cwiseQuotient(surface.vertex_area);
+}
+
 bool nearly_sphere(const Surface& surface)
 {
   constexpr double deviation = 1e-3;

@@ -90,6 +90,9 @@ struct Surface
 /// H, K, Δ_s H and the normals that belong to them at the vertices, by the space's way.
 Curvature vertex_curvature(const Surface& surface);
 
+/// κ1² + κ2² at the vertices, averaged over N_k on smooth surfaces: N, nowhere negative.
+Eigen::VectorXd squared_curvature(const Surface& surface);
+
 /// True where a uniform tension does no work, so that the total area follows from the volume: a
 /// relative deviation of the vertices' distance to the centre below 1e-3. The area in excess of a
 /// sphere's, its square, is then below 1e-6 and far below what the mesh resolves.

@@ -40,9 +40,10 @@ TEST_P(Sliding, IsNeutralAndNeverClimbs)
       const Eigen::RowVector3d n = surface.normals.row(i), w(std::sin(3. * i), std::cos(5. * i), 1);
       wanted.row(i) = 10 * (w - w.dot(n) * n);
     }
+    const Eigen::VectorXd still = Eigen::VectorXd::Zero(3 * wanted.rows());
     for (const double released : { 0., 5. })
     {
-      const Eigen::VectorXd t = tangential_motion(loads, flat(wanted), {}, released, tau, 0.02);
+      const Eigen::VectorXd t = tangential_motion(loads, flat(wanted), still, released, tau, 0.02);
       const Eigen::VectorXd c = surface.to_control(t);
       EXPECT_LT(
         surface.normals.cwiseProduct(rows_of_three(t)).rowwise().sum().cwiseAbs().maxCoeff(),
