@@ -14,13 +14,12 @@ namespace
 
 using Row3 = Eigen::RowVector3d;
 
-// U + n n·(u − U).
-Points normal_motion(const Surface& surface, const Points& velocity)
+// ρ + n n·(u − ρ).
+Points normal_motion(const Surface& surface, const NodeMotion& motion, const Points& velocity)
 {
-  const Row3 U = surface.mean_velocity(flat(velocity)).transpose();
-  const Eigen::VectorXd speed =
-    surface.normals.cwiseProduct(velocity.rowwise() - U).rowwise().sum();
-  return rows_of_three(scaled_rows(surface.normals, speed)).rowwise() + U;
+  const Points rigid = motion.rigid(flat(velocity));
+  const Eigen::VectorXd speed = surface.normals.cwiseProduct(velocity - rigid).rowwise().sum();
+  return rigid + rows_of_three(scaled_rows(surface.normals, speed));
 }
 
 }
@@ -64,7 +63,9 @@ Points relaxation(const Surface& surface, const AdjacencyList& neighbours, const
 Points equidistributing_velocity(const Surface& surface, const AdjacencyList& neighbours,
   const Points& velocity, double scene_rate)
 {
-  return normal_motion(surface, velocity) + relaxation(surface, neighbours, velocity, scene_rate);
+  const NodeMotion motion(surface, NodeMotionKind::normal);
+  return normal_motion(surface, motion, velocity) +
+    relaxation(surface, neighbours, velocity, scene_rate);
 }
 
 Points sliding_velocity(const VesicleLoads& loads, const AdjacencyList& neighbours,
@@ -81,7 +82,7 @@ Points sliding_velocity(const VesicleLoads& loads, const AdjacencyList& neighbou
   const NodeMotion normal(surface, NodeMotionKind::normal);
   const double released = -loads.gradient().dot(normal.velocity(normal.parameters(flat(velocity)))),
                edge = std::sqrt(surface.area / static_cast<double>(surface.vertices.rows()));
-  const Points along_normals = normal_motion(surface, velocity);
+  const Points along_normals = normal_motion(surface, normal, velocity);
   const Points otherwise = reference.rows() > 0 ? Points(along_normals - reference) : along_normals;
   const Points wanted = relaxation(surface, neighbours, velocity, scene_rate);
   return along_normals +

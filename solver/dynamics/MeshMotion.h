@@ -9,7 +9,7 @@
 namespace vesicle
 {
 
-/// Node velocity w = U + n n·(u − U) + κ P_t r, r 3/2 of the way to the wanted edge lengths
+/// Node velocity w = ρ + n n·(u − ρ) + κ P_t r, ρ the shape's rigid motion (RigidMotion.h), r 3/2 of the way to the wanted edge lengths
 /// (SizingLaw.h): nodes follow the vesicle, not the lipids, and gather where it bends. κ = 0.2 s +
 /// 3 max|u_t|, s the scene's rate. N by 3.
 Points equidistributing_velocity(const Surface& surface, const AdjacencyList& neighbours,

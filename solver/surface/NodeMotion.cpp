@@ -3,32 +3,32 @@
 namespace vesicle
 {
 
-namespace
+NodeMotion::NodeMotion(const Surface& surface, NodeMotionKind kind)
+  : surface_(surface), rigid_(surface), kind_(kind)
 {
-
-Vector3 sum_of_rows(const Eigen::VectorXd& vectors)
-{
-  return rows_of_three(vectors).colwise().sum().transpose();
 }
 
+Points NodeMotion::rigid(const Eigen::VectorXd& at_vertices) const
+{
+  return rigid_.velocity(rigid_.motion(at_vertices), surface_.vertices);
 }
 
 Eigen::VectorXd NodeMotion::parameters(const Eigen::VectorXd& at_vertices) const
 {
-  const Eigen::VectorXd relative = surface_.relative_to_centroid(at_vertices);
+  const Points relative = rows_of_three(at_vertices) - rigid(at_vertices);
   if (kind_ == NodeMotionKind::normal)
-    return surface_.normals.cwiseProduct(rows_of_three(relative)).rowwise().sum();
-  return surface_.to_control(relative);
+    return surface_.normals.cwiseProduct(relative).rowwise().sum();
+  return surface_.to_control(flat(relative));
 }
 
-// The functional ν ↦ dual·ν of u: Pᵀ(1 − Wᵀ1ᵀ)(…), where 1ᵀP = 1ᵀ and W P is the centroid's.
+// The functional ν ↦ dual·ν of u.
 Eigen::VectorXd NodeMotion::parameters_adjoint(const Eigen::VectorXd& dual) const
 {
   const Eigen::VectorXd at_vertices = kind_ == NodeMotionKind::normal
     ? scaled_rows(surface_.normals, dual)
     : surface_.collocation().from_control(dual);
-  return surface_.collocation().to_vertices_adjoint(
-    at_vertices - surface_.centroid_velocity.transpose() * sum_of_rows(at_vertices));
+  return surface_.collocation().to_vertices_adjoint(at_vertices -
+    rigid_.motion_adjoint(rigid_.velocity_adjoint(rows_of_three(at_vertices), surface_.vertices)));
 }
 
 Eigen::VectorXd NodeMotion::velocity(const Eigen::VectorXd& parameters) const
@@ -52,7 +52,7 @@ Eigen::VectorXd NodeMotion::adjoint(const Eigen::VectorXd& functional) const
 {
   return parameters_adjoint(velocity_adjoint(functional)) +
     surface_.collocation().to_vertices_adjoint(
-      surface_.centroid_velocity.transpose() * sum_of_rows(functional));
+      rigid_.motion_adjoint(rigid_.velocity_adjoint(rows_of_three(functional), surface_.control)));
 }
 
 }

@@ -4,25 +4,26 @@
 // g·Q u = Qᵀg·u on an energy of gradient g. Only Q's normal part is physics; along the membrane a
 // fluid leaves the nodes free.
 
-#include "solver/surface/Surface.h"
+#include "solver/surface/RigidMotion.h"
 
 namespace vesicle
 {
 
 enum class NodeMotionKind
 {
-  normal, ///< Q u = P⁻¹[U + n n·(P u − U)] at the vertices, U the velocity of the volume's centroid
+  normal,  ///< Q u = P⁻¹[ρ + n n·(P u − ρ)] at the vertices, ρ the shape's rigid motion
   material ///< Q = 1: with the lipids
 };
 
-/// Q factors through ν, numbers that a rigid translation leaves zero: Q u = D ν + U, ν = E u. Normal:
-/// ν = n·(P u − U) at the vertices, N; material: ν = u − U, 3N. Velocities are the control points',
-/// 3N; U is the same vector for all.
+/// Q factors through ν, numbers that a rigid motion leaves zero: Q u = D ν + P⁻¹ρ, ν = E u. Normal:
+/// ν = n·(P u − ρ) at the vertices, N; material: ν = u − ρ, 3N. Velocities are the control points', 3N. An energy that no rigid motion changes has
+/// loads without a net force, and but for ρ's ε without a torque: a mesh that stood still while its
+/// vesicle turns would hold it where the coarse energy is least.
 class NodeMotion
 {
 public:
   /// The surface must outlive it.
-  NodeMotion(const Surface& surface, NodeMotionKind kind) : surface_(surface), kind_(kind) {}
+  NodeMotion(const Surface& surface, NodeMotionKind kind);
 
   NodeMotionKind kind() const { return kind_; }
   Eigen::Index size() const
@@ -38,11 +39,14 @@ public:
   /// Dᵀ.
   Eigen::VectorXd velocity_adjoint(const Eigen::VectorXd& functional) const;
 
+  /// ρ at the vertices, N by 3.
+  Points rigid(const Eigen::VectorXd& at_vertices) const;
   /// Qᵀ.
   Eigen::VectorXd adjoint(const Eigen::VectorXd& functional) const;
 
 private:
   const Surface& surface_;
+  RigidMotion rigid_;
   NodeMotionKind kind_;
 };
 
