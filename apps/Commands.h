@@ -26,6 +26,7 @@ using Action = std::function<int()>;
 /// Each sets `action` when the user chooses it.
 void add_run_command(CLI::App& app, Action& action);
 void add_shape_command(CLI::App& app, Action& action);
+void add_equilibrium_command(CLI::App& app, Action& action);
 void add_curvature_command(CLI::App& app, Action& action);
 void add_info_command(CLI::App& app, Action& action);
 void add_render_command(CLI::App& app, Action& action);

@@ -113,6 +113,7 @@ int run_command_line(int argc, char** argv)
   Action action;
   add_run_command(app, action);
   add_shape_command(app, action);
+  add_equilibrium_command(app, action);
   add_curvature_command(app, action);
   add_info_command(app, action);
   add_render_command(app, action);

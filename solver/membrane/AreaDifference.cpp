@@ -45,4 +45,15 @@ Variation AreaDifference::variation(const Surface& surface) const
     {} };
 }
 
+void AreaDifference::add_curvature_energy(const CurvedPoints& surface, CurvatureEnergy& sum) const
+{
+  const double A = area(surface.points), root = std::sqrt(4 * pi * A),
+               m = surface.points.area_weight.dot(surface.twice_mean) / 2 / root,
+               slope = 16 * pi * pi * alpha_ * (m - m0_);
+  sum.energy += 8 * pi * pi * alpha_ * std::pow(m - m0_, 2);
+  sum.density.value.array() += slope * (surface.twice_mean.array() / (2 * root) - m / (2 * A));
+  sum.density.slope.array() += slope / (2 * root);
+  sum.mean_stiffness += 16 * pi * pi * alpha_ / (root * root);
+}
+
 }

@@ -21,6 +21,7 @@ public:
   double energy(const Surface& surface) const override;
   TermForce force(const Surface& surface) const override;
   Variation variation(const Surface& surface) const override;
+  void add_curvature_energy(const CurvedPoints& surface, CurvatureEnergy& sum) const override;
 
 private:
   double alpha_, m0_;

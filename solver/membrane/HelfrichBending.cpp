@@ -47,6 +47,16 @@ Variation SmoothBending::variation(const Surface& surface) const
   return bending_variation(surface.space->table(), surface.points, surface.control, c0_);
 }
 
+void SmoothBending::add_curvature_energy(const CurvedPoints& surface, CurvatureEnergy& sum) const
+{
+  const Eigen::ArrayXd excess = surface.twice_mean.array() - c0_;
+  const Eigen::VectorXd value = excess.square() / 2;
+  sum.energy += surface.points.area_weight.dot(value);
+  sum.density.value += value;
+  sum.density.slope.array() += excess;
+  sum.density.curvature.array() += 1;
+}
+
 double CotanBending::energy(const Surface& surface) const
 {
   return bending_energy(

@@ -23,6 +23,7 @@ public:
   double rate() const override { return 1; }
   double energy(const Surface& surface) const override;
   Variation variation(const Surface& surface) const override;
+  void add_curvature_energy(const CurvedPoints& surface, CurvatureEnergy& sum) const override;
 
 private:
   double c0_;

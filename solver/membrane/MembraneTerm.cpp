@@ -1,5 +1,7 @@
 #include "solver/membrane/MembraneTerm.h"
 
+#include "solver/Errors.h"
+
 #include <stdexcept>
 
 namespace vesicle
@@ -33,6 +35,11 @@ TermForce MembraneTerm::force(const Surface&) const
 Variation MembraneTerm::variation(const Surface&) const
 {
   throw std::logic_error(name() + " has no variation on smooth surfaces");
+}
+
+void MembraneTerm::add_curvature_energy(const CurvedPoints&, CurvatureEnergy&) const
+{
+  throw InputError(name() + " has no equilibrium that is a minimum of the energy: leave it out");
 }
 
 }

@@ -3,6 +3,7 @@
 // that the scene doesn't name doesn't exist. All in units of r0, EB and μ; densities are forces an
 // area, the membrane's on the fluid.
 
+#include "solver/membrane/CurvatureEnergy.h"
 #include "solver/surface/Surface.h"
 
 #include <memory>
@@ -65,6 +66,9 @@ public:
   virtual TermForce force(const Surface& surface) const;
   /// On smooth surfaces.
   virtual Variation variation(const Surface& surface) const;
+  /// The same energy for a search of its minimum, with all that Newton's method asks for. Throws
+  /// InputError for terms that have no equilibrium of their own.
+  virtual void add_curvature_energy(const CurvedPoints& surface, CurvatureEnergy& sum) const;
 };
 
 using MembraneTerms = std::vector<std::unique_ptr<const MembraneTerm>>;

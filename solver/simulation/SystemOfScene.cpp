@@ -38,6 +38,17 @@ Scales scales_of(const Scene& scene, const TriangleMesh& mesh)
     scene.membrane.bending_rigidity.value_or(1), scene.fluid.viscosity };
 }
 
+MembraneTerms membrane_terms(const Scene& scene, const SurfaceSpace& space, const Scales& scales)
+{
+  MembraneTerms terms;
+  if (scene.membrane.bending_rigidity)
+    terms.push_back(make_bending(space, scene.membrane.spontaneous_curvature * scales.length));
+  if (scene.membrane.area_difference_stiffness)
+    terms.push_back(std::make_unique<AreaDifference>(
+      *scene.membrane.area_difference_stiffness, scene.membrane.area_difference));
+  return terms;
+}
+
 System system_of(const Scene& scene, const Scales& scales, const TriangleMesh& mesh)
 {
   const Scene::Accuracy& accuracy = scene.accuracy;
@@ -47,12 +58,7 @@ System system_of(const Scene& scene, const Scales& scales, const TriangleMesh& m
   vesicle.conserved = accuracy.scheme != Scene::Scheme::paper;
   vesicle.motion = accuracy.mesh_motion == MeshMotion::material ? NodeMotionKind::material
                                                                 : NodeMotionKind::normal;
-  if (scene.membrane.bending_rigidity)
-    vesicle.terms.push_back(
-      make_bending(*vesicle.space, scene.membrane.spontaneous_curvature * scales.length));
-  if (scene.membrane.area_difference_stiffness)
-    vesicle.terms.push_back(std::make_unique<AreaDifference>(
-      *scene.membrane.area_difference_stiffness, scene.membrane.area_difference));
+  vesicle.terms = membrane_terms(scene, *vesicle.space, scales);
   if (scene.membrane.incompressible)
     vesicle.incompressibility = make_incompressibility(*vesicle.space);
   if (scene.gravity)

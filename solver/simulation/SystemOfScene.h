@@ -15,6 +15,9 @@ Scales scales_of(const Scene& scene, const TriangleMesh& mesh);
 /// Bo = Δρ g r0⁴/EB.
 double bond_number(const Scene::Gravity& gravity, const Scales& scales);
 
+/// The membrane's own terms, dimensionless.
+MembraneTerms membrane_terms(const Scene& scene, const SurfaceSpace& space, const Scales& scales);
+
 /// The scene's vesicle on the triangles of its start mesh, and the flow, dimensionless.
 System system_of(const Scene& scene, const Scales& scales, const TriangleMesh& mesh);
 

@@ -32,8 +32,8 @@ TEST(Help, IsThereForAllWithAnExample)
 {
   const TemporaryFolder folder;
   const std::vector<std::vector<std::string>> commands{ { "--help" }, { "run", "--help" },
-    { "shape", "--help" }, { "curvature", "--help" }, { "info", "--help" }, { "render", "--help" },
-    { "validate", "--help" } };
+    { "shape", "--help" }, { "equilibrium", "--help" }, { "curvature", "--help" },
+    { "info", "--help" }, { "render", "--help" }, { "validate", "--help" } };
   for (const auto& arguments : commands)
   {
     const auto outcome = vesicle_command(folder.path(), arguments);

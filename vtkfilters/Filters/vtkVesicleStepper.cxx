@@ -1,13 +1,12 @@
 #include "vtkVesicleStepper.h"
 
 #include "MeshConversion.h"
-#include "MeshFiles.h"
+#include "SceneMesh.h"
 #include "SceneNumbers.h"
 
 #include "solver/Doing.h"
 #include "solver/Errors.h"
 #include "solver/simulation/Simulation.h"
-#include "solver/simulation/StartMesh.h"
 #include "solver/simulation/SystemOfScene.h"
 #include "solver/scene/SceneFile.h"
 #include "solver/simulation/Trajectory.h"
@@ -125,17 +124,7 @@ struct vtkVesicleStepper::Internals
     {
       return vesicle::to_mesh(start);
     }
-    const auto& wanted = this->CurrentScene.vesicle;
-    if (!wanted.mesh_file)
-    {
-      return vesicle::make_start_mesh(this->CurrentScene);
-    }
-    auto surface = vesicle::read_mesh(*wanted.mesh_file);
-    if (wanted.mesh_merge)
-    {
-      surface = vesicle::merged(surface, *wanted.mesh_merge);
-    }
-    return vesicle::place_start_mesh(this->CurrentScene, vesicle::to_mesh(surface), notes);
+    return vesicle::start_mesh_of(this->CurrentScene, notes);
   }
 
   void StartAnew(vtkPolyData* start, int cache_size)
