@@ -3,21 +3,14 @@
 #include "apps/Commands.h"
 #include "apps/EquilibriumSweep.h"
 #include "apps/EquilibriumText.h"
-#include "apps/Warning.h"
+#include "apps/SceneEquilibriumFile.h"
 #include "apps/StandardOutput.h"
 
 #include "solver/Errors.h"
 #include "solver/equilibrium/BranchEquilibrium.h"
-#include "solver/mesh/SelfCrossing.h"
 #include "solver/scene/SceneFile.h"
 #include "solver/simulation/EquilibriumOfScene.h"
-#include "vtkfilters/Filters/MeshConversion.h"
 #include "vtkfilters/Filters/MeshFiles.h"
-#include "vtkfilters/Filters/SceneMesh.h"
-#include "vtkfilters/Filters/SceneNumbers.h"
-
-#include "vtkFieldData.h"
-#include "vtkPolyData.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -58,21 +51,10 @@ std::array<double, 2> range_of(const std::string& text)
   return { from, to };
 }
 
-/// Writes the mesh and says what it is.
 int tell(
   const EquilibriumReport& report, const TriangleMesh& mesh, const std::string& file, bool json)
 {
-  const auto surface = to_polydata(mesh);
-  if (keeps_field_data(file))
-  {
-    add_surface(SurfaceBasis::loop, report.reduced_volume, surface->GetFieldData());
-  }
-  warn(write_mesh(surface, file));
-  if (const auto crossing = find_self_crossing(mesh))
-  {
-    warn(fmt::format("the membrane passes through itself, {}: its energy doesn't know of contact",
-      to_text(*crossing)));
-  }
+  write_equilibrium(report, mesh, file);
   print("{}", json ? to_json_text(report) : file + "\n" + to_text(report));
   return exit_code::done;
 }
@@ -97,12 +79,9 @@ int of_scene(const EquilibriumOptions& options)
   require_equilibrium(scene);
   const std::string file = options.output.empty() ? scene.name + ".vtu" : options.output;
   require_mesh_ending(file);
-  std::string notes;
-  TriangleMesh start = start_mesh_of(scene, notes);
-  const SceneEquilibrium found = equilibrium_of(scene, std::move(start), options.request.follow);
-  warn(notes);
-  warn(found.notes);
-  return tell(report_of(found.equilibrium, found.mesh), found.mesh, file, options.json);
+  TriangleMesh mesh;
+  const EquilibriumReport report = equilibrium_of_scene(scene, options.request.follow, mesh);
+  return tell(report, mesh, file, options.json);
 }
 
 int find_equilibrium(EquilibriumOptions options)

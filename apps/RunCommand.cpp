@@ -2,6 +2,7 @@
 
 #include "apps/Commands.h"
 #include "apps/Run.h"
+#include "apps/SceneEquilibriumFile.h"
 
 #include "solver/scene/SceneFile.h"
 
@@ -49,6 +50,11 @@ int run_scene(const RunCommandOptions& options)
     overrides.push_back("vesicle.merge=" + options.merge);
   }
   const Scene scene = read_scene(options.scene, overrides);
+  if (scene.time.equilibrium)
+  {
+    return run_to_equilibrium(
+      scene, folder_of(options, scene), options.run.overwrite, options.run.quiet);
+  }
   RunOptions run = options.run;
   run.movie = !options.no_movie;
   run.plots = !options.no_plots;

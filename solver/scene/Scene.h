@@ -65,6 +65,7 @@ struct Scene
   struct Time
   {
     std::optional<double> end;  ///< empty: until steady
+    bool equilibrium = false;   ///< no run at all: the shape at rest, without a fluid
     double output_every = 0;    ///< hit exactly; 0 (not in files): only start and end
     std::optional<double> step; ///< empty: adaptive
     double tolerance = 1e-3;    ///< position error a step, in r0

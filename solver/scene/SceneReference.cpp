@@ -41,7 +41,9 @@ std::string default_of(const SceneTable& table, const SceneKey& key)
   if (key.missing && key.needed_by.empty())
     return "required";
   if (key.missing && table.variants.empty())
-    return "—"; // one or another must be given, as the table's help says
+    return key.left_out.empty()
+      ? "—"
+      : key.left_out; // one or another must be given, as the table's help says
   const std::string text =
     key.left_out.empty() ? fmt::format("`{}`", key.write(example(table, key))) : key.left_out;
   return key.missing ? fmt::format("{}; required by {}", text, joined(key.needed_by, ", ")) : text;

@@ -76,6 +76,45 @@ struct PictureSize
   std::string allowed() const { return std::string("[width, height], each ") + pixels.allowed; }
 };
 
+/// A time, or a state to end in.
+struct End
+{
+  static constexpr const char* steady = "steady";
+  static constexpr const char* equilibrium = "equilibrium";
+
+  void read(const TableReader& table, const std::string& key, Scene::Time& target) const
+  {
+    const SceneValue& value = table.at(key);
+    const auto* text = std::get_if<std::string>(&value.data);
+    if (text && *text != steady && *text != equilibrium)
+      table.fail(key, "can't be " + value.description(), allowed());
+    target.equilibrium = text && *text == equilibrium;
+    const std::string all = allowed();
+    if (text)
+      target.end.reset();
+    else
+      target.end = table.number(key, value, { positive.holds, all.c_str() });
+  }
+  std::string write(const Scene::Time& time) const
+  {
+    return time.end ? to_toml(*time.end)
+                    : to_toml(std::string(time.equilibrium ? equilibrium : steady));
+  }
+  std::string allowed() const
+  {
+    return fmt::format("{}, \"{}\" or \"{}\"", positive.allowed, steady, equilibrium);
+  }
+};
+
+/// What must be given for a run needn't for an equilibrium.
+SceneTable::Variant time_variant(const SceneTable&, const TableReader& table)
+{
+  const auto* text = table.has("end") ? std::get_if<std::string>(&table.at("end").data) : nullptr;
+  if (text && *text == End::equilibrium)
+    return { "equilibrium", "end = \"equilibrium\"" };
+  return { "run", "" };
+}
+
 SceneTable top_table()
 {
   SceneTable table;
@@ -197,16 +236,19 @@ SceneTable time_table()
   SceneKey output_every =
     key("output_every", at(&Scene::time, &Time::output_every), rules::Number{ positive }, "time",
       "what lies between two frames; its multiples are hit exactly")
-      .required();
+      .required("", { "run" })
+      .otherwise("required but for an equilibrium");
   // In memory 0 stands for "only start and end", which a file says with the end itself.
   output_every.write = [](const Scene& scene)
   {
     const Time& time = scene.time;
     return to_toml(time.output_every == 0 && time.end ? *time.end : time.output_every);
   };
+  table.variant_in = time_variant;
   table.keys = {
-    key("end", at(&Scene::time, &Time::end), rules::NumberOr{ "steady", positive }, "time",
-      "of the run; \"steady\": when the shape stays what it is")
+    key("end", at(&Scene::time), End{}, "time",
+      "of the run; \"steady\": when the shape stays what it is; \"equilibrium\": no run, the shape "
+      "at rest by `vesicle equilibrium`, without flow and gravity")
       .required(),
     output_every,
     key("step", at(&Scene::time, &Time::step), rules::NumberOr{ "auto", positive }, "time",

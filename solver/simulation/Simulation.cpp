@@ -79,6 +79,10 @@ struct Simulation::Impl
 
 Simulation::Simulation(const Scene& scene, TriangleMesh start, const std::string& notes)
 {
+  if (scene.time.equilibrium)
+    throw InputError(fmt::format("scene '{}' ends in an equilibrium, which isn't a run: vesicle "
+                                 "equilibrium finds it, or set time.end to a time or \"steady\"",
+      scene.name));
   require_memory(scene, static_cast<double>(start.triangles.rows()));
   impl_ = std::make_unique<Impl>(scene, std::move(start), notes);
 }

@@ -245,17 +245,19 @@ const std::vector<Case> cases{
 
   { "time_missing", "[vesicle]\nshape = \"sphere\"\n", { "s.toml:1: key 'time.end': is missing" } },
   { "end_missing", in_time("output_every = 1\n"),
-    { "s.toml:3: key 'time.end': is missing; allowed: a number > 0 or \"steady\"" } },
+    { "s.toml:3: key 'time.end': is missing; allowed: a number > 0, \"steady\" or "
+      "\"equilibrium\"" } },
   { "output_missing", in_time("end = 1\n"),
     { "s.toml:3: key 'time.output_every': is missing; allowed: a number > 0" } },
   { "end_zero", in_time("end = 0\noutput_every = 1\n"),
-    { "s.toml:4: key 'time.end': can't be 0; allowed: a number > 0 or \"steady\"" } },
+    { "s.toml:4: key 'time.end': can't be 0; allowed: a number > 0, \"steady\" or "
+      "\"equilibrium\"" } },
   { "end_word", in_time("end = \"stedy\"\noutput_every = 1\n"),
-    { "s.toml:4: key 'time.end': can't be the string \"stedy\"; allowed: a number > 0 or "
-      "\"steady\"" } },
+    { "s.toml:4: key 'time.end': can't be the string \"stedy\"; allowed: a number > 0, "
+      "\"steady\" or \"equilibrium\"" } },
   { "end_flag", in_time("end = true\noutput_every = 1\n"),
-    { "s.toml:4: key 'time.end': must be a number, is true; allowed: a number > 0 or "
-      "\"steady\"" } },
+    { "s.toml:4: key 'time.end': must be a number, is true; allowed: a number > 0, "
+      "\"steady\" or \"equilibrium\"" } },
   { "output_zero", in_time("end = 1\noutput_every = 0\n"),
     { "s.toml:5: key 'time.output_every': can't be 0; allowed: a number > 0" } },
   { "step_zero", in_time("end = 1\noutput_every = 1\nstep = 0\n"),
