@@ -50,19 +50,20 @@ public:
   void slide();
   void settle();
   void descend();
-  Equilibrium result() const;
+  Equilibrium result();
 
 private:
   Step step_of(const BorderedSystem& system, const Eigen::VectorXd& gradient,
     const Eigen::VectorXd& shift, Eigen::Index borders) const;
-  Step normal_step();
+  void factorise_normal();
+  Step normal_step() const;
   Step full_step(double normal_shift, double tangential_shift, int index);
   bool lowers(const Step& step) const;
   void accept(const Step& step);
   double lagrangian(const EnergyMeasures& at, const Multipliers& m) const;
   Eigen::VectorXd off_target(Eigen::Index borders) const;
   double largest_move_of(const Eigen::VectorXd& displacement) const;
-  void linearise() { hessian_ = point_.lagrangian_hessian(second_, multipliers_); }
+  void linearise();
 
   const EnergyProblem& problem_;
   const EquilibriumObserver& observer_;
@@ -70,10 +71,17 @@ private:
   EnergyPoint point_;
   Multipliers multipliers_;
   Eigen::SparseMatrix<double> hessian_;
+  NormalBorder normal_border_;
   BorderedSystem normal_system_, full_system_;
   int normal_index_ = 0;
   int steps_ = 0;
 };
+
+void Search::linearise()
+{
+  hessian_ = point_.lagrangian_hessian(second_, multipliers_);
+  factorise_normal();
+}
 
 Eigen::VectorXd Search::off_target(Eigen::Index borders) const
 {
@@ -92,15 +100,20 @@ double Search::largest_move_of(const Eigen::VectorXd& displacement) const
   return largest;
 }
 
-/// The normal Newton step, of normal displacements alone; how many directions go downhill from here.
-Step Search::normal_step()
+/// Of normal displacements alone: factorised, and how many directions go downhill from here.
+void Search::factorise_normal()
 {
-  const NormalBorder border = normal_border(point_);
-  normal_system_.compute(normal_part(hessian_), border.columns, border.D);
+  normal_border_ = normal_border(point_);
+  normal_system_.compute(normal_part(hessian_), normal_border_.columns, normal_border_.D);
   normal_index_ = normal_system_.index();
+}
+
+/// By the factors of here, or of a place near by.
+Step Search::normal_step() const
+{
   const Eigen::VectorXd gradient =
     point_.lagrangian_gradient(multipliers_)(Eigen::seq(0, Eigen::last, 3));
-  const auto solution = normal_system_.solve(-gradient, off_target(border.D.size()));
+  const auto solution = normal_system_.solve(-gradient, off_target(normal_border_.D.size()));
   Step step;
   step.displacement = Eigen::VectorXd::Zero(3 * gradient.size());
   step.displacement(Eigen::seq(0, Eigen::last, 3)) = solution.x;
@@ -213,15 +226,16 @@ void Search::slide()
       return;
     accept(step);
     linearise();
-    normal_step();
     if (step.gain < last_gain * per_gain)
       return;
     shift = std::max(shift / 4, least_slip);
   }
 }
 
+/// To rest, with the factors of the first point as long as they bring it ten times nearer a step.
 void Search::settle()
 {
+  double last = near;
   for (int k = 0; k < most_normal_steps; ++k)
   {
     const Step step = normal_step();
@@ -230,7 +244,9 @@ void Search::settle()
       std::abs(point_.area / problem_.area - 1) + std::abs(point_.volume / problem_.volume - 1);
     if (step.move < at_rest && off < kept)
       return;
-    linearise();
+    if (step.move > last / 10)
+      linearise();
+    last = step.move;
   }
   throw NumericalError("the search for an equilibrium doesn't converge on this mesh: take more "
                        "triangles");
@@ -257,8 +273,9 @@ void Search::descend()
   throw NumericalError("the search for a minimum of the energy takes too long on this mesh");
 }
 
-Equilibrium Search::result() const
+Equilibrium Search::result()
 {
+  linearise();
   Eigen::VectorXd force = point_.lagrangian_gradient(multipliers_)(Eigen::seq(0, Eigen::last, 3));
   const double imbalance =
     std::sqrt(force.cwiseAbs2().cwiseQuotient(point_.vertex_area).sum() / point_.area);

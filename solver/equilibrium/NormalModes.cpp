@@ -19,7 +19,7 @@ namespace
 // next relative: a block has that many vectors. Twelve blocks have the six lowest to 1e-6.
 constexpr int block = 4, blocks = 12;
 // A rotation about the axis of an axisymmetric shape has no normal part but the mesh's error.
-constexpr double least_normal_part = 1e-2;
+constexpr double least_normal_part = 0.05;
 
 /// Numbers in [−1, 1] that look random and are always the same.
 Eigen::MatrixXd scattered(Eigen::Index rows, Eigen::Index columns)
@@ -32,18 +32,19 @@ Eigen::MatrixXd scattered(Eigen::Index rows, Eigen::Index columns)
   return X;
 }
 
-/// ∮ ψ² dS by displacements along the vertices' normals: N by N.
+/// ∮ ψ² dS by displacements along the vertices' normals: N by N. Its root has the table's entries.
 SparseMatrix normal_mass(const EnergyPoint& point, const BasisTable& table)
 {
   const SurfacePoints& s = point.surface.points;
   SparseMatrix root(table.rows(), table.nodes);
-  root.reserve(Eigen::VectorXi::Constant(table.rows(), table.start[1] - table.start[0]));
+  root.resizeNonZeros(static_cast<Eigen::Index>(table.node.size()));
+  std::ranges::copy(table.start, root.outerIndexPtr());
+  std::ranges::copy(table.node, root.innerIndexPtr());
   for (int q = 0; q < table.rows(); ++q)
   {
     const Eigen::RowVector3d n = s.cross.row(q).normalized() * std::sqrt(s.area_weight[q]);
     for (int k = table.start[q]; k < table.start[q + 1]; ++k)
-      root.coeffRef(q, table.node[k]) +=
-        table.value[k] * n.dot(point.frames.row(table.node[k]).head<3>());
+      root.valuePtr()[k] = table.value[k] * n.dot(point.frames.row(table.node[k]).head<3>());
   }
   return SparseMatrix(root.transpose()) * root;
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace vesicle
 {
@@ -237,31 +236,49 @@ Eigen::VectorXd curvature_gradient(
 
 SecondVariation::SecondVariation(const BasisTable& table) : table_(table)
 {
-  std::vector<std::set<int>> below(table.nodes); // of each column of blocks
-  for_each_element(table,
-    [&](int, int, std::span<const int> nodes)
+  std::vector<std::vector<int>> below(table.nodes); // rows of each column of blocks
+  const auto for_each_pair = [&](auto visit)
+  {
+    for_each_element(table,
+      [&](int, int, std::span<const int> nodes)
+      {
+        for (const int j : nodes)
+          for (const int k : nodes)
+            visit(j, k);
+      });
+  };
+  for_each_pair(
+    [&](int j, int k)
     {
-      for (const int j : nodes)
-        for (const int k : nodes)
-          if (j >= k)
-            below[k].insert(j);
+      if (j >= k)
+        below[k].push_back(j);
     });
-  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::VectorXi entries(3 * table.nodes);
   for (int k = 0; k < table.nodes; ++k)
-    for (const int j : below[k])
-      for (int d = 0; d < 3; ++d)
-        for (int e = 0; e < 3; ++e)
-          if (j > k || d >= e)
-            entries.emplace_back(3 * j + d, 3 * k + e, 0);
+  {
+    std::ranges::sort(below[k]);
+    below[k].erase(std::unique(below[k].begin(), below[k].end()), below[k].end());
+    for (int e = 0; e < 3; ++e)
+      entries[3 * k + e] = 3 * static_cast<int>(below[k].size()) - e;
+  }
   pattern_.resize(3L * table.nodes, 3L * table.nodes);
-  pattern_.setFromTriplets(entries.begin(), entries.end());
-  for_each_element(table,
-    [&](int, int, std::span<const int> nodes)
+  pattern_.resizeNonZeros(entries.sum());
+  int* outer = pattern_.outerIndexPtr();
+  for (int column = 0; column < 3 * table.nodes; ++column)
+  {
+    const int k = column / 3, e = column % 3;
+    int* inner = pattern_.innerIndexPtr() + outer[column];
+    for (const int j : below[k])
+      for (int d = j == k ? e : 0; d < 3; ++d)
+        *inner++ = 3 * j + d;
+    outer[column + 1] = outer[column] + entries[column];
+  }
+  Eigen::Map<Eigen::VectorXd>(pattern_.valuePtr(), pattern_.nonZeros()).setZero();
+  for_each_pair(
+    [&](int j, int k)
     {
-      for (const int j : nodes)
-        for (const int k : nodes)
-          block_.push_back(
-            j >= k ? static_cast<int>(std::distance(below[k].begin(), below[k].find(j))) : -1);
+      const auto at = std::ranges::lower_bound(below[k], j);
+      block_.push_back(j >= k ? static_cast<int>(at - below[k].begin()) : -1);
     });
 }
 

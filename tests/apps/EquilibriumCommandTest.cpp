@@ -24,7 +24,8 @@ Json equilibrium(const std::filesystem::path& folder, std::vector<std::string> a
   return Json::parse(outcome.output);
 }
 
-void write_scene(const std::filesystem::path& file, const std::string& more)
+void write_scene(const std::filesystem::path& file, const std::string& more,
+  const std::string& time = "end = \"steady\"\noutput_every = 1\n")
 {
   std::ofstream(file) << R"(
 [vesicle]
@@ -35,9 +36,7 @@ triangles = 320
 [membrane]
 bending_rigidity = 3.0
 [time]
-end = "steady"
-output_every = 1
-)" << more;
+)" << time << more;
 }
 
 }
@@ -89,11 +88,28 @@ TEST(EquilibriumCommand, TakesAScene)
   EXPECT_NEAR(mesh["volume"].get<double>(), 4 * 3.141592653589793 / 3 * 8, 1e-4);
 }
 
+// No output_every, no steps: the shape and what it is.
+TEST(EquilibriumCommand, IsWhatARunToAnEquilibriumDoes)
+{
+  const TemporaryFolder folder;
+  write_scene(folder.path() / "rest.toml", "", "end = \"equilibrium\"\n");
+  const auto outcome = vesicle_command(folder.path(), { "run", "rest.toml" });
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  const Json report = Json::parse(read_file(folder.path() / "rest" / "summary.json"));
+  EXPECT_NEAR(report["energy_over_8pi"].get<double>(), 1.387440432, 2e-3);
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "rest" / "rest.vtu"));
+  EXPECT_EQ(vesicle_command(folder.path(), { "run", "rest.toml" }).code, 2);
+  EXPECT_EQ(vesicle_command(folder.path(), { "run", "rest.toml", "--overwrite" }).code, 0);
+}
+
 TEST(EquilibriumCommand, RefusesWhatHasNone)
 {
   const TemporaryFolder folder;
   write_scene(folder.path() / "shear.toml", "[flow]\nkind = \"shear\"\nrate = 1\n");
   write_scene(folder.path() / "pear.toml", "[gravity]\nbond_number = 10\n");
+  write_scene(
+    folder.path() / "both.toml", "[gravity]\nbond_number = 10\n", "end = \"equilibrium\"\n");
+  EXPECT_EQ(vesicle_command(folder.path(), { "run", "both.toml" }).code, 2);
   const std::vector<std::vector<std::string>> commands{ { "shear.toml" }, { "pear.toml" },
     { "--branch", "torus", "--reduced-volume", "0.6" }, { "--branch", "oblate" },
     { "--branch", "stomatocyte", "--reduced-volume", "0.8" }, { "--sweep", "1:0.5" }, {},
