@@ -17,11 +17,4 @@ enum class Integrator
   imex_euler     ///< first order, paper (40)
 };
 
-/// How nodes move along the membrane.
-enum class MeshMotion
-{
-  equidistribute, ///< spread by the curvature (SizingLaw.h)
-  material        ///< with the lipids
-};
-
 }

@@ -37,12 +37,12 @@ StageBlock stiff_block(const VesicleShape& shape, std::size_t vesicle, const Mob
 {
   const Surface& surface = *shape.surface;
   const Eigen::Index n = surface.vertices.rows();
-  const Linearisation& linear = *shape.linearisation;
+  const SparseMatrix& response = *shape.linearisation;
   StageBlock block{ vesicle, n, &mobility.matrix, mobility.normal, n, {}, {}, {}, {} };
-  block.rows.direct = -tau * linear.response;
+  block.rows.direct = -tau * response;
   block.rows.weight.resize(n, 3);
   for (int c = 0; c < 3; ++c)
-    block.rows.weight.col(c) = tau * (linear.response * Vector3(Vector3::Unit(c)).replicate(n, 1));
+    block.rows.weight.col(c) = tau * (response * Vector3(Vector3::Unit(c)).replicate(n, 1));
   block.rows.functional = surface.centroid_velocity;
   block.own = identity(n);
   if (reference.size() > 0)

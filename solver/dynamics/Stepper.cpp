@@ -131,12 +131,12 @@ std::shared_ptr<const SystemShape> Stepper::shape(const State& state)
 
 double Stepper::longest_step(const State& state)
 {
-  if (settings_.mesh_motion == MeshMotion::material)
-    return INFINITY;
   const auto now = shape(state);
   double longest = INFINITY;
   for (std::size_t v = 0; v < state.vesicles.size(); ++v)
   {
+    if (system_.vesicles[v].motion == NodeMotionKind::material)
+      continue;
     const Surface& surface = *now->vesicles[v].surface;
     const Points& velocity = state.vesicles[v].velocity;
     const double speed = tangential_speed(surface, velocity);
@@ -166,7 +166,7 @@ std::vector<Points> Stepper::node_velocities(const Solved& stage, const State* r
   {
     const VesicleShape& shape = stage.shape->vesicles[v];
     const Points velocity = rows_of_three(stage.shape->part(stage.solution.velocity, v));
-    if (settings_.mesh_motion == MeshMotion::material)
+    if (system_.vesicles[v].motion == NodeMotionKind::material)
       result.push_back(velocity);
     else if (shape.loads)
       result.push_back(sliding_velocity(*shape.loads, neighbours_[v], velocity, system_.rate(),

@@ -14,7 +14,6 @@ namespace vesicle
 struct StepperSettings
 {
   Integrator integrator = Integrator::imex_midpoint;
-  MeshMotion mesh_motion = MeshMotion::equidistribute;
   double linear_tolerance = 1e-10;
   StepLimits limits;
 };

@@ -6,12 +6,12 @@ namespace vesicle
 namespace
 {
 
-void add(std::optional<Linearisation>& sum, Linearisation&& part)
+void add(std::optional<SparseMatrix>& sum, SparseMatrix&& part)
 {
   if (!sum)
     sum = std::move(part);
   else
-    sum->response += part.response;
+    *sum += part;
 }
 
 }

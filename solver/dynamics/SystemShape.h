@@ -21,7 +21,7 @@ struct VesicleShape
   /// The sum of the stiff terms, or empty: φ on flat triangles, vectors on smooth surfaces.
   Eigen::VectorXd stiff_force;
   NodalForce other_force;                           ///< the sum of all the others
-  std::optional<Linearisation> linearisation;       ///< of stiff_force; flat triangles only
+  std::optional<SparseMatrix> linearisation;        ///< of stiff_force; flat triangles only
   std::shared_ptr<const ConstraintRows> constraint; ///< of an incompressible membrane
 
   const ForceBasis& basis() const

@@ -67,7 +67,7 @@ TermForce CotanBending::force(const Surface& surface) const
 {
   const Curvature curvature = cotan_curvature(*surface.cotan, surface.vertices, normals());
   return { { bending_density(curvature, c0_), {} },
-    Linearisation{ linearised(bending_matrix(*surface.cotan, curvature, c0_), curvature.normal) } };
+    linearised(bending_matrix(*surface.cotan, curvature, c0_), curvature.normal) };
 }
 
 SparseMatrix CotanBending::linearised(SparseMatrix response, const Points& normal) const

@@ -25,17 +25,12 @@ struct NodalForce
   NodalForce& operator+=(const NodalForce& other);
 };
 
-/// How φ follows a displacement: δφ = R δx.
-struct Linearisation
-{
-  SparseMatrix response; ///< R, N by 3N
-};
-
 /// A term at one shape of flat triangles.
 struct TermForce
 {
   NodalForce density;
-  std::optional<Linearisation> linearisation; ///< of density.normal, of terms that are stiff
+  /// Of terms that are stiff: how density.normal follows a displacement, δφ = R δx, N by 3N.
+  std::optional<SparseMatrix> linearisation;
 };
 
 /// A term at one shape of a smooth surface: how its energy follows the control points.

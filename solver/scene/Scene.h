@@ -7,6 +7,7 @@
 #include "solver/membrane/BendingScheme.h"
 #include "solver/mesh/TriangleMesh.h"
 #include "solver/mesh/shapes/ShapeRequest.h"
+#include "solver/surface/NodeMotionKind.h"
 #include "solver/surface/SurfaceBasis.h"
 
 #include <array>
@@ -81,7 +82,7 @@ struct Scene
   using Basis = SurfaceBasis;
   using Bending = BendingScheme;
   using Integrator = vesicle::Integrator;
-  using MeshMotion = vesicle::MeshMotion;
+  using MeshMotion = NodeMotionKind;
   using Scheme = vesicle::Scheme;
   struct Accuracy
   {
@@ -90,7 +91,7 @@ struct Scene
     Basis basis = Basis::loop;
     Bending bending = Bending::variational;
     Integrator integrator = Integrator::imex_midpoint;
-    MeshMotion mesh_motion = MeshMotion::equidistribute;
+    MeshMotion mesh_motion = MeshMotion::normal;
     int quadrature = 3;              ///< points a triangle of the regular rule: 1, 3, 6 or 12
     double linear_tolerance = 1e-10; ///< relative residual of the linear solves
   } accuracy;

@@ -44,7 +44,7 @@ inline constexpr std::array integrator_names{
 };
 
 inline constexpr std::array mesh_motion_names{
-  NamedChoice{ "equidistribute", Scene::MeshMotion::equidistribute },
+  NamedChoice{ "equidistribute", Scene::MeshMotion::normal },
   NamedChoice{ "material", Scene::MeshMotion::material },
 };
 

@@ -56,8 +56,7 @@ System system_of(const Scene& scene, const Scales& scales, const TriangleMesh& m
     mesh.triangles, static_cast<int>(mesh.points.rows()), accuracy.quadrature);
   Vesicle vesicle = make_vesicle(std::move(space), accuracy.quadrature);
   vesicle.conserved = accuracy.scheme != Scene::Scheme::paper;
-  vesicle.motion = accuracy.mesh_motion == MeshMotion::material ? NodeMotionKind::material
-                                                                : NodeMotionKind::normal;
+  vesicle.motion = accuracy.mesh_motion;
   vesicle.terms = membrane_terms(scene, *vesicle.space, scales);
   if (scene.membrane.incompressible)
     vesicle.incompressibility = make_incompressibility(*vesicle.space);
@@ -76,7 +75,6 @@ StepperSettings stepper_settings_of(const Scene& scene)
 {
   StepperSettings settings;
   settings.integrator = scene.accuracy.integrator;
-  settings.mesh_motion = scene.accuracy.mesh_motion;
   settings.linear_tolerance = scene.accuracy.linear_tolerance;
   // A step that the user has fixed is taken whatever its error is estimated at.
   settings.limits.tolerance = scene.time.step ? INFINITY : scene.time.tolerance;

@@ -4,16 +4,11 @@
 // g·Q u = Qᵀg·u on an energy of gradient g. Only Q's normal part is physics; along the membrane a
 // fluid leaves the nodes free.
 
+#include "solver/surface/NodeMotionKind.h"
 #include "solver/surface/RigidMotion.h"
 
 namespace vesicle
 {
-
-enum class NodeMotionKind
-{
-  normal,  ///< Q u = P⁻¹[ρ + n n·(P u − ρ)] at the vertices, ρ the shape's rigid motion
-  material ///< Q = 1: with the lipids
-};
 
 /// Q factors through ν, numbers that a rigid motion leaves zero: Q u = D ν + P⁻¹ρ, ν = E u. Normal:
 /// ν = n·(P u − ρ) at the vertices, N; material: ν = u − ρ, 3N. Velocities are the control points', 3N. An energy that no rigid motion changes has
