@@ -49,6 +49,7 @@ int make(ShapeOptions options, bool with_reduced_volume)
   require_mesh_ending(file);
   const auto basis = options.basis == "linear" ? SurfaceBasis::linear : SurfaceBasis::loop;
   const TriangleMesh mesh = make_start_shape(options.request, basis);
+  warn(start_shape_warning(options.request, basis, mesh));
   const MeshReport report(mesh, basis);
   const auto surface = to_polydata(mesh);
   if (keeps_field_data(file)) // else nothing that was asked for is lost

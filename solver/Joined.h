@@ -1,6 +1,7 @@
 #pragma once
 // Lists as text.
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,16 @@ inline std::string joined(const std::vector<std::string>& words, std::string_vie
     text += word;
   }
   return text;
+}
+
+/// Those of the texts that say something, one a line.
+inline std::string lines(std::initializer_list<std::string> texts)
+{
+  std::vector<std::string> said;
+  for (const std::string& text : texts)
+    if (!text.empty())
+      said.push_back(text);
+  return joined(said, "\n");
 }
 
 }

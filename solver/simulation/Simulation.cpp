@@ -1,6 +1,7 @@
 #include "solver/simulation/Simulation.h"
 
 #include "solver/Errors.h"
+#include "solver/Joined.h"
 #include "solver/dynamics/Evolution.h"
 #include "solver/dynamics/StateReport.h"
 #include "solver/mesh/MeshInspection.h"
@@ -41,15 +42,6 @@ void require_no_crossing(const TriangleMesh& mesh, double time)
         time, to_text(*crossing)));
 }
 
-std::string joined(std::initializer_list<std::string> notes)
-{
-  std::string all;
-  for (const std::string& note : notes)
-    if (!note.empty())
-      all += (all.empty() ? "" : "\n") + note;
-  return all;
-}
-
 }
 
 struct Simulation::Impl
@@ -70,8 +62,10 @@ struct Simulation::Impl
       report(evolution.system(), scales),
       numbers(dimensionless_numbers(s, scales, evolution.system()))
   {
-    notes =
-      joined({ check_smoothness(scene, start_mesh), check_units(numbers), start_notes, notes });
+    // What a shape's own notes say of its mesh isn't said twice.
+    const bool told = !s.vesicle.mesh_file && !start_notes.empty();
+    notes = lines({ told ? std::string() : check_smoothness(scene, start_mesh),
+      check_units(numbers), start_notes, notes });
   }
 
   std::vector<Points> start_points() const { return { start_mesh.points / scales.length }; }

@@ -3,9 +3,7 @@
 #include "solver/simulation/Cost.h"
 #include "solver/surface/StartShape.h"
 #include "solver/surface/SurfaceMeasures.h"
-#include "solver/surface/Collocation.h"
-#include "solver/surface/LoopBasis.h"
-#include "solver/membrane/HelfrichBending.h"
+#include "solver/surface/LoopEnergy.h"
 #include "solver/mesh/MeshIntegrals.h"
 #include "solver/mesh/Preparation.h"
 #include "solver/mesh/remesh/Remesh.h"
@@ -47,28 +45,16 @@ TriangleMesh make_start_mesh(const Scene& scene)
   return mesh;
 }
 
-// How far the energies of the limit surface by a rule of 3 and one of 12 points differ, relatively.
-// On a smooth control mesh that resolves the shape by far less than 1%; kinks in the spacing of its
-// points make the surface rough.
-static double energy_disagreement(const TriangleMesh& mesh)
+std::string check_start_shape(const Scene& scene, const TriangleMesh& mesh)
 {
-  const LoopBasis basis(mesh.triangles, static_cast<int>(mesh.points.rows()));
-  const Points control = Collocation(basis).fit(mesh.points);
-  double energy[2];
-  for (int i = 0; i < 2; ++i)
-  {
-    const BasisTable table = tabulate_rule(basis, triangle_rule(i == 0 ? 3 : 12));
-    const SurfacePoints points = evaluate(table, control);
-    energy[i] = bending_energy(points, point_curvature(table, points, control));
-  }
-  return std::abs(energy[0] / energy[1] - 1);
+  return start_shape_warning(scene.vesicle.shape, scene.accuracy.basis, mesh);
 }
 
 std::string check_smoothness(const Scene& scene, const TriangleMesh& mesh)
 {
   if (scene.accuracy.basis == Scene::Basis::linear)
     return {};
-  const double disagreement = energy_disagreement(mesh);
+  const double disagreement = loop_energy(mesh).disagreement();
   if (disagreement < rough_energy)
     return {};
   return fmt::format(

@@ -15,7 +15,9 @@ TriangleMesh start_mesh_of(const Scene& scene, std::string& notes)
   const auto& wanted = scene.vesicle;
   if (!wanted.mesh_file)
   {
-    return make_start_mesh(scene);
+    TriangleMesh mesh = make_start_mesh(scene);
+    notes = check_start_shape(scene, mesh);
+    return mesh;
   }
   auto surface = read_mesh(*wanted.mesh_file);
   if (wanted.mesh_merge)

@@ -115,6 +115,11 @@ int vtkVesicleSource::RequestData(
       throw vesicle::InputError("Radius must be above 0 and Axis must have a direction");
     }
     vesicle::TriangleMesh mesh = vesicle::make_start_shape(request, basis);
+    const std::string warning = vesicle::start_shape_warning(request, basis, mesh);
+    if (!warning.empty())
+    {
+      vtkWarningMacro(<< warning);
+    }
     const auto [area, volume, energy] = vesicle::surface_measures(basis, mesh);
     vesicle::place(mesh, this->Radius, vesicle::turn_z_to(axis), vesicle::Vector3(this->Center));
     const auto surface = vesicle::to_polydata(mesh);

@@ -1,6 +1,15 @@
 #include "solver/mesh/shapes/SphereMeshSmoothing.h"
 
+#include "solver/mesh/Connectivity.h"
+#include "solver/mesh/MeshIntegrals.h"
 #include "solver/mesh/MeshQuality.h"
+#include "solver/mesh/SizingLaw.h"
+#include "solver/mesh/shapes/ParametrisedSurface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
 
 namespace vesicle
 {
@@ -27,7 +36,11 @@ public:
     place();
   }
 
-  void smooth(Smoothing smoothing);
+  TriangleMesh flat() const { return { points_, mesh_.triangles }; }
+  const SphereMesh& mesh() const { return mesh_; }
+  void smooth(Smoothing smoothing) { move(targets(smoothing) - points_); }
+  /// Along the surface, a part of the way.
+  void move(const Points& displacement);
   SphereMesh result() && { return std::move(mesh_); }
 
 private:
@@ -133,13 +146,12 @@ void TangentialSmoothing::move_without_folding(const Points& shift)
   place();
 }
 
-void TangentialSmoothing::smooth(Smoothing smoothing)
+void TangentialSmoothing::move(const Points& displacement)
 {
   const double damping = 0.5; // whole steps overshoot
-  const Points goal = targets(smoothing);
   Points shift(points_.rows(), 3);
   for (int i = 0; i < points_.rows(); ++i)
-    shift.row(i) = pulled_back(i, damping * (goal.row(i) - points_.row(i)));
+    shift.row(i) = pulled_back(i, damping * displacement.row(i));
   move_without_folding(shift);
 }
 
@@ -151,6 +163,54 @@ SphereMesh smoothed(
     process.smooth(smoothing);
   return std::move(process).result();
 }
+
+/// The sizing law on a mesh of an exact surface.
+class Grading
+{
+public:
+  Grading(const SphereMesh& mesh, const SphericalParametrisation& surface)
+    : surface_(surface), connectivity_(mesh.triangles, static_cast<int>(mesh.directions.rows()))
+  {
+    const double volume = flat_volume(mapped(mesh, surface));
+    law_.radius = std::cbrt(3 * volume / (4 * std::numbers::pi));
+  }
+
+  Eigen::VectorXd edge_lengths(const SphereMesh& mesh, const TriangleMesh& flat) const;
+  double score(const Eigen::VectorXd& wanted, const TriangleMesh& flat) const;
+
+private:
+  const SphericalParametrisation& surface_;
+  Connectivity connectivity_;
+  SizingLaw law_;
+};
+
+Eigen::VectorXd Grading::edge_lengths(const SphereMesh& mesh, const TriangleMesh& flat) const
+{
+  Eigen::VectorXd curvature(flat.points.rows()), area = Eigen::VectorXd::Zero(flat.points.rows());
+  for (int i = 0; i < curvature.size(); ++i)
+    curvature[i] = surface_element(surface_, mesh.directions.row(i)).curvature_squared();
+  for (const auto t : flat.triangles.rowwise())
+  {
+    const Vector3 a = flat.points.row(t[0]), b = flat.points.row(t[1]), c = flat.points.row(t[2]);
+    for (const int i : t)
+      area[i] += (b - a).cross(c - a).norm() / 6;
+  }
+  return wanted_edge_lengths(law_, flat.points, connectivity_.vertex_neighbours, curvature, area,
+    static_cast<int>(flat.triangles.rows()));
+}
+
+double Grading::score(const Eigen::VectorXd& wanted, const TriangleMesh& flat) const
+{
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const auto& [i, j] : connectivity_.edges)
+  {
+    const double length = (flat.points.row(i) - flat.points.row(j)).norm();
+    const double ratio = length / (wanted[i] + wanted[j]);
+    least = std::min(least, ratio);
+    most = std::max(most, ratio);
+  }
+  return mesh_quality(flat).min_angle_deg * least / most;
+}
 }
 
 void smooth(SphereMesh& mesh, const SphericalParametrisation& surface, int passes)
@@ -161,6 +221,25 @@ void smooth(SphereMesh& mesh, const SphericalParametrisation& surface, int passe
   if (mesh_quality(mapped(even, surface)).score() >
     much_better * mesh_quality(mapped(mesh, surface)).score())
     mesh = std::move(even);
+}
+
+double grade(SphereMesh& mesh, const SphericalParametrisation& surface, int passes)
+{
+  const int passes_between =
+    5; // evaluations of the law, which changes as slowly as the points move
+  const Grading grading(mesh, surface);
+  TangentialSmoothing process(mesh, surface);
+  Eigen::VectorXd wanted;
+  for (int pass = 0; pass < passes; ++pass)
+  {
+    if (pass % passes_between == 0)
+      wanted = grading.edge_lengths(process.mesh(), process.flat());
+    process.move(towards_wanted(process.flat().points, process.mesh().triangles, wanted));
+  }
+  wanted = grading.edge_lengths(process.mesh(), process.flat());
+  const double score = grading.score(wanted, process.flat());
+  mesh = std::move(process).result();
+  return score;
 }
 
 }

@@ -1,14 +1,19 @@
 #pragma once
-// Makes the mesh of a smooth surface uniform and well shaped: nodes move along the exact surface,
-// the triangulation stays.
+// Gives the mesh of a smooth surface triangles of good shapes and of the sizes that are wanted: nodes
+// move along the exact surface, the triangulation stays. The directions always triangulate the
+// sphere, so that the surface is covered once; symmetries are kept.
 
 #include "solver/mesh/shapes/SphereMesh.h"
 
 namespace vesicle
 {
 
-/// `passes` rounds of tangential smoothing of the mesh on `surface`. The directions always
-/// triangulate the sphere, so that the surface is covered once; symmetries are kept.
+/// `passes` rounds towards triangles of one size.
 void smooth(SphereMesh& mesh, const SphericalParametrisation& surface, int passes);
+
+/// `passes` rounds towards triangles as large as the surface's curvature lets them be, by
+/// SizingLaw.h. Returns a score to rank meshes by, 60 at best: the smallest angle by how evenly the
+/// edges have the lengths that are wanted, shortest to longest.
+double grade(SphereMesh& mesh, const SphericalParametrisation& surface, int passes);
 
 }

@@ -20,6 +20,7 @@ enum class Symmetry
   around_x,   ///< any turn about x, and the half turns
   around_y,
   around_z,
+  turns_about_z, ///< any turn about z alone: top and bottom differ
 };
 
 /// Every point x of a mesh moved to surface(x): the flat triangles above those of a mesh of the
