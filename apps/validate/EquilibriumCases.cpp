@@ -5,6 +5,7 @@
 #include "apps/validate/Data.h"
 #include "apps/validate/Runs.h"
 #include "apps/validate/Stomatocyte.h"
+#include "solver/equilibrium/BranchEquilibrium.h"
 #include "solver/simulation/StartMesh.h"
 
 #include "solver/state/Table.h"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 namespace vesicle::validation
 {
@@ -276,6 +278,26 @@ void triaxial(Report& report, const std::string& branch, double v)
         line_of(run, "3", [](const Diagnostics& d) { return d.semi_axes[2]; }) } } });
 }
 
+// Newton's method without a fluid; the oblate loses its stability between the last two.
+void without_fluid(Report& report)
+{
+  const double tolerance = report.full() ? 1e-4 : 1e-3;
+  for (const Shape& shape : { Shape{ "prolate", 0.6 }, Shape{ "prolate", 0.8 },
+         Shape{ "oblate", 0.6 }, Shape{ "oblate", 0.8 }, Shape{ "stomatocyte", 0.6 } })
+  {
+    const BranchEquilibrium found =
+      branch_equilibrium({ equilibrium_branch(shape.branch), shape.v, report.triangles() });
+    report.add(relative(fmt::format("{}, v = {}: E/8pi", shape.branch, shape.v),
+      reference_energy(shape), found.equilibrium.energy / (8 * std::numbers::pi), tolerance));
+    const double lowest = found.equilibrium.modes.eigenvalues[0];
+    if (shape.branch == "oblate")
+    {
+      const std::string name = fmt::format("{}, v = {}: lowest eigenvalue", shape.branch, shape.v);
+      report.add(shape.v < 0.75 ? at_least(name, 1, lowest) : at_most(name, -1, lowest));
+    }
+  }
+}
+
 constexpr auto fast = Case::Set::fast, full = Case::Set::full;
 
 }
@@ -304,6 +326,8 @@ std::vector<Case> equilibrium_cases()
       fmt::format("Relaxed {}, v = {}", e.shape.branch, e.shape.v), e.set,
       [&e](Report& report) { equilibrium(report, e); } });
   }
+  cases.push_back({ "fig6/without-fluid",
+    "Equilibria without a fluid, and whether oblates are stable", fast, without_fluid });
   cases.push_back({ "fig6/crossings", "Which branch is lower on either side of v = .6511 and .5912",
     full, energies });
   cases.push_back(

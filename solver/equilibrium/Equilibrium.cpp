@@ -22,8 +22,8 @@ constexpr double at_rest = 1e-7;
 constexpr double kept = 1e-12;
 // A slide of the mesh that gains less of the energy isn't worth its time.
 // Of the energy, over the number of nodes, as the mesh's own error is: a slide that gains less isn't
-// worth its time, and after one that gains not much more the next one isn't.
-constexpr double least_gain = 2e-3, last_gain = 6e-3;
+// worth its time.
+constexpr double least_gain = 3e-3;
 // What keeps a node of mean area from sliding far, EB/r0²: an energy of about κ² h² a vertex changes
 // over a distance h.
 constexpr double first_slip = 0.1, least_slip = 0.025;
@@ -33,6 +33,7 @@ struct Step
   Eigen::VectorXd displacement; ///< 3N, in frames
   Multipliers multipliers;
   double gain = 0; ///< by which the Lagrangian falls, to second order
+  double kept = 0; ///< by the shifts, of that gain: about what the next step has to gain
   double move = 0; ///< in edge lengths
 };
 
@@ -163,7 +164,8 @@ Step Search::full_step(double normal_shift, double tangential_shift, int index)
   step.displacement = solution.x;
   step.multipliers = { multipliers_.tension + solution.y[0],
     multipliers_.pressure - solution.y[1] };
-  step.gain = -gradient.dot(solution.x) / 2 + solution.x.dot(shift.cwiseProduct(solution.x)) / 2;
+  step.kept = solution.x.dot(shift.cwiseProduct(solution.x)) / 2;
+  step.gain = step.kept - gradient.dot(solution.x) / 2;
   step.move = largest_move_of(step.displacement);
   return step;
 }
@@ -226,7 +228,7 @@ void Search::slide()
       return;
     accept(step);
     linearise();
-    if (step.gain < last_gain * per_gain)
+    if (step.kept < least_gain * per_gain)
       return;
     shift = std::max(shift / 4, least_slip);
   }
