@@ -14,6 +14,7 @@
 #include "solver/mesh/SelfCrossing.h"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <cmath>
 #include <limits>
@@ -41,11 +42,11 @@ std::vector<double> reduced_volumes(const EquilibriumSweep& sweep)
   return result;
 }
 
-std::string line_of(const EquilibriumReport& r)
+std::string line_of(const EquilibriumReport& r, bool crossing)
 {
-  return fmt::format("{},{},{},{},{},{},{},{},{}\n", *r.branch, r.reduced_volume, r.triangles,
+  return fmt::format("{},{},{},{},{},{},{},{},{},{}\n", *r.branch, r.reduced_volume, r.triangles,
     r.energy_over_8pi, *r.energy_error, r.tension, r.pressure, r.stable ? 1 : 0,
-    r.lowest_eigenvalues.front());
+    r.lowest_eigenvalues.front(), crossing ? 1 : 0);
 }
 
 /// A branch's energies: where it is stable as a line, elsewhere dashed.
@@ -105,11 +106,12 @@ void draw(const ChartSpec& chart, const std::filesystem::path& file)
 
 int sweep_equilibria(const EquilibriumSweep& sweep, const std::filesystem::path& folder)
 {
+  spdlog::set_level(spdlog::level::warn);
   watch_for_interrupts();
   make_folder(folder);
   std::string table =
     "branch,reduced_volume,triangles,energy_over_8pi,energy_error,tension,pressure,"
-    "stable,lowest_eigenvalue\n";
+    "stable,lowest_eigenvalue,self_crossing\n";
   const auto file = folder / "equilibria.csv";
   ChartSpec chart{ "Equilibria", "reduced volume", "E / 8 pi EB", {} };
   for (const EquilibriumBranch branch : equilibrium_branches())
@@ -132,20 +134,19 @@ int sweep_equilibria(const EquilibriumSweep& sweep, const std::filesystem::path&
       try
       {
         const BranchEquilibrium found = branch_equilibrium({ branch, v, sweep.triangles, false });
-        if (find_self_crossing(found.mesh))
-        {
-          print("{:<12}{:<7g}passes through itself\n", branch_name(branch), v);
-          continue;
-        }
         EquilibriumReport report = report_of(found.equilibrium, found.mesh);
         report.branch = branch_name(branch);
         report.energy_error = found.equilibrium.energy / found.axisymmetric_energy - 1;
-        table += line_of(report);
-        lines.add(v, report.energy_over_8pi, report.stable);
-        print("{:<12}{:<7g}{:.7f}  {}\n", *report.branch, v, report.energy_over_8pi,
-          report.stable ? "stable" : "unstable");
+        const bool crossing = find_self_crossing(found.mesh).has_value();
+        table += line_of(report, crossing);
+        if (!crossing)
+        {
+          lines.add(v, report.energy_over_8pi, report.stable);
+        }
+        print("{:<12}{:<7g}{:.7f}  {}{}\n", *report.branch, v, report.energy_over_8pi,
+          report.stable ? "stable" : "unstable", crossing ? ", passes through itself" : "");
       }
-      catch (const InputError& error)
+      catch (const InputError&)
       {
         print("{:<12}{:<7g}none\n", branch_name(branch), v);
       }
