@@ -8,7 +8,9 @@
  * smooth surface through the points or the flat triangles: its volume is that of a sphere of radius
  * Radius, and its reduced volume v = 6 √π V / A^(3/2) is ReducedVolume to 1e-6. The output's field
  * data say so: Surface_Basis (0 flat triangles, 1 Loop) and Reduced_Volume. Triangles are
- * counter-clockwise seen from outside; points are in double precision.
+ * counter-clockwise seen from outside; points are in double precision. A warning says where the
+ * triangles are too few for Loop's surface to hold the shape's bending energy to 1%, or can't be as
+ * round as asked for.
  *
  * Shapes: Sphere; Prolate and Oblate, ellipsoids of revolution about the axis; Ellipsoid with
  * SemiAxes; Discocyte, the biconcave disc of Evans & Fung, Microvasc. Res. 4 (1972) 335; Perturbed,
