@@ -6,6 +6,7 @@
 #include "apps/RunMovie.h"
 #include "apps/RunPlots.h"
 #include "apps/RunResume.h"
+#include "apps/Warning.h"
 
 #include "render/RenderBackend.h"
 #include "solver/Doing.h"
@@ -255,6 +256,23 @@ void Run::append_frame()
   doing(fmt::format("writing the frame at t = {:.6g} of {}", stepper_->GetStateTime(),
           series_.pvd_file().string()),
     [&] { series_.append(stepper_->GetOutput(), stepper_->GetStateTime()); });
+  tell_once_if_unresolved();
+}
+
+/// Of the start shape the notes tell.
+void Run::tell_once_if_unresolved()
+{
+  const State& state = *stepper_->GetState();
+  if (told_unresolved_ || state.step == 0 || is_failed())
+  {
+    return;
+  }
+  const std::string warning = stepper_->GetSimulation()->unresolved_warning(state);
+  told_unresolved_ = !warning.empty();
+  if (told_unresolved_)
+  {
+    warn(fmt::format("t = {:.6g}: {}", stepper_->GetStateTime(), warning));
+  }
 }
 
 std::string Run::outcome() const

@@ -59,6 +59,7 @@ private:
   void record();
   void append_frame();
   void append_last_frame();
+  void tell_once_if_unresolved();
   void require_movie_color();
   void summarize();
   void write_summary();
@@ -85,6 +86,7 @@ private:
   std::size_t rows_ = 0;       ///< of the checkpoint once it is closed; 0: no good state
   std::int64_t first_step_ = 0;
   bool resumed_ = false;
+  bool told_unresolved_ = false;
   RunSummary summary_;
 };
 

@@ -43,9 +43,13 @@ public:
   State instant();
   /// Throws InputError unless the state is one of this mesh (a file's may have changed since).
   void require_own(const State& state) const;
-  /// One accepted step. Throws NumericalError if there is none, or if the membrane passes through
-  /// itself at an output time; `state` is then still valid.
+  /// One accepted step. Throws NumericalError if there is none, or if at an output time the membrane
+  /// passes through itself or its mesh knows the bending energy to 10% only; `state` is then still
+  /// valid.
   State step(const State& state);
+  /// What is to be said of a state whose mesh knows the bending energy to 1% only: where, and how
+  /// many triangles it needs; empty if it knows better. Places are in units of r0.
+  std::string unresolved_warning(const State& state);
   /// True at the scene's end time, or when the shape is steady (end = "steady").
   bool finished(const State& state);
 

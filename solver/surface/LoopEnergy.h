@@ -2,6 +2,8 @@
 // How well the bending energy of Loop's surface is known, which tells whether a mesh holds it.
 
 #include "solver/mesh/TriangleMesh.h"
+#include "solver/surface/Collocation.h"
+#include "solver/surface/LoopBasis.h"
 
 namespace vesicle
 {
@@ -11,10 +13,25 @@ struct LoopEnergy
 {
   double coarse; ///< by 3 points an element
   double fine;   ///< by 12, elements at extraordinary vertices halved three times towards them
+  Vector3 worst; ///< the middle of the triangle on which the two differ most
 
   /// Far below 1% on a smooth mesh that resolves the shape. Kinks in the spacing of its points make
   /// the surface rough.
   double disagreement() const;
+};
+
+/// Of the shapes that a mesh's triangles take.
+class LoopEnergyRules
+{
+public:
+  /// Throws InputError for triangles that can't carry Loop's surface.
+  LoopEnergyRules(const Triangles& triangles, int points);
+  LoopEnergy energy(const Points& points) const;
+
+private:
+  LoopBasis basis_;
+  Collocation collocation_;
+  BasisTable coarse_, fine_;
 };
 
 /// Of a closed manifold mesh. Throws InputError for others.

@@ -170,6 +170,19 @@ TEST_F(RunErrors, FailedRunKeepsItsLastGoodState)
   expect_mentions(outcome, "last frame of pear/pear.pvd");
 }
 
+// A tether that 80 triangles can't hold: told once, while the run goes on.
+TEST_F(RunErrors, TellsThatTheMeshNoLongerHoldsTheShape)
+{
+  const auto outcome =
+    run({ "--set", "vesicle.axis=[0, 0, 1]", "--set", "vesicle.reduced_volume=0.8", "--set",
+      "gravity.bond_number=500", "--set", "time.end=0.03", "--set", "time.output_every=0.01" });
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  const std::string told = "80 triangles don't hold the shape, and a smaller step can't help";
+  const auto first = outcome.errors.find(told);
+  ASSERT_NE(first, std::string::npos) << outcome.errors;
+  EXPECT_EQ(outcome.errors.find(told, first + 1), std::string::npos) << outcome.errors;
+}
+
 TEST_F(RunErrors, WithoutAGoodStateTheStartShapeIsLeftToLookAt)
 {
   // Starts that can't be solved, or told in numbers.
