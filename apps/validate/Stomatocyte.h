@@ -6,8 +6,7 @@
 namespace vesicle::validation
 {
 
-/// A bowl: a spherical shell of constant thickness that leaves a round opening, closed by half a
-/// torus. r0 = 1 and the reduced volume v hold for the scene's surface to 1e-6; as many triangles
+/// A bowl (Bowl.h). r0 = 1 and the reduced volume v hold for the scene's surface to 1e-6; as many triangles
 /// as the scene's shape asks for.
 TriangleMesh stomatocyte(const Scene& scene, double v);
 

@@ -14,12 +14,11 @@ namespace
 
 using Row3 = Eigen::RowVector3d;
 
-// ρ + n n·(u − ρ).
-Points normal_motion(const Surface& surface, const NodeMotion& motion, const Points& velocity)
+// ρ + n ν at the vertices: the normal motion of the nodes.
+Points normal_motion(const Surface& surface, const NodeMotion& motion, const Points& velocity,
+  const Eigen::VectorXd& parameters)
 {
-  const Points rigid = motion.rigid(flat(velocity));
-  const Eigen::VectorXd speed = surface.normals.cwiseProduct(velocity - rigid).rowwise().sum();
-  return rigid + rows_of_three(scaled_rows(surface.normals, speed));
+  return motion.rigid(flat(velocity)) + rows_of_three(scaled_rows(surface.normals, parameters));
 }
 
 }
@@ -64,7 +63,7 @@ Points equidistributing_velocity(const Surface& surface, const AdjacencyList& ne
   const Points& velocity, double scene_rate)
 {
   const NodeMotion motion(surface, NodeMotionKind::normal);
-  return normal_motion(surface, motion, velocity) +
+  return normal_motion(surface, motion, velocity, motion.parameters(flat(velocity))) +
     relaxation(surface, neighbours, velocity, scene_rate);
 }
 
@@ -79,10 +78,11 @@ Points sliding_velocity(const VesicleLoads& loads, const AdjacencyList& neighbou
   // as the step control lets it. Nothing is lost by more: that motion has no accuracy to keep.
   constexpr double implicitness = 4;
   const Surface& surface = loads.surface();
-  const NodeMotion normal(surface, NodeMotionKind::normal);
-  const double released = -loads.gradient().dot(normal.velocity(normal.parameters(flat(velocity)))),
+  const NodeMotion& motion = loads.motion();
+  const Eigen::VectorXd parameters = motion.parameters(flat(velocity));
+  const double released = -loads.gradient().dot(motion.velocity(parameters)),
                edge = std::sqrt(surface.area / static_cast<double>(surface.vertices.rows()));
-  const Points along_normals = normal_motion(surface, normal, velocity);
+  const Points along_normals = normal_motion(surface, motion, velocity, parameters);
   const Points otherwise = reference.rows() > 0 ? Points(along_normals - reference) : along_normals;
   const Points wanted = relaxation(surface, neighbours, velocity, scene_rate);
   return along_normals +

@@ -9,15 +9,15 @@
 namespace vesicle
 {
 
-/// Node velocity w = ρ + n n·(u − ρ) + κ P_t r, ρ the shape's rigid motion (RigidMotion.h), r 3/2 of the way to the wanted edge lengths
-/// (SizingLaw.h): nodes follow the vesicle, not the lipids, and gather where it bends. κ = 0.2 s +
-/// 3 max|u_t|, s the scene's rate. N by 3.
+/// Node velocity w = ρ + n n·(u − ρ) + κ P_t r: ρ the shape's rigid motion (RigidMotion.h), r 3/2 of
+/// the way to the wanted edge lengths (SizingLaw.h). Nodes follow the vesicle, not the lipids, and
+/// gather where it bends. κ = 0.2 s + 3 max|u_t|, s the scene's rate. N by 3.
 Points equidistributing_velocity(const Surface& surface, const AdjacencyList& neighbours,
   const Points& velocity, double scene_rate);
 
 /// The same on a smooth surface, where the motion along the surface costs no energy, area or volume,
 /// and goes down the energy that the mesh itself has, implicitly over τ (TangentialMotion.h).
-/// `reference`: node velocities, or without rows.
+/// `loads`: of nodes that move along the normals. `reference`: node velocities, or without rows.
 Points sliding_velocity(const VesicleLoads& loads, const AdjacencyList& neighbours,
   const Points& velocity, double scene_rate, double tau, const Points& reference);
 

@@ -14,8 +14,8 @@ namespace
 {
 
 constexpr double sdirk_gamma = 1 - 1 / std::numbers::sqrt2;
-// Nodes relax towards the wanted edge lengths by less than half the way in a step, and pass less than a quarter
-// of an edge of membrane flow.
+// Nodes relax towards the wanted edge lengths by less than half the way in a step, and pass less than
+// a quarter of an edge of membrane flow.
 constexpr double longest_relaxation = 0.5;
 constexpr double longest_passage = 0.25;
 

@@ -1,8 +1,8 @@
 #include "solver/dynamics/TangentialMotion.h"
 
 #include "solver/Errors.h"
+#include "solver/surface/NodeFrames.h"
 
-#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include <cmath>
@@ -13,20 +13,8 @@ namespace vesicle
 namespace
 {
 
-using Tangents = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
-
 // Two orthonormal tangents a vertex.
-Tangents tangents_of(const Points& normals)
-{
-  Tangents T(normals.rows(), 6);
-  for (Eigen::Index i = 0; i < normals.rows(); ++i)
-  {
-    const Vector3 n = normals.row(i).transpose(), a = n.unitOrthogonal();
-    T.row(i).head<3>() = a.transpose();
-    T.row(i).tail<3>() = n.cross(a).transpose();
-  }
-  return T;
-}
+using Tangents = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
 
 Eigen::VectorXd spread(const Tangents& T, const Eigen::VectorXd& d)
 {
@@ -54,7 +42,7 @@ class TangentialForm
 {
 public:
   TangentialForm(const VesicleLoads& loads, double tau, double beta)
-    : loads_(loads), T_(tangents_of(loads.surface().normals)), tau_(tau),
+    : loads_(loads), T_(frames_along(loads.surface().normals).rightCols<6>()), tau_(tau),
       weight_(loads.surface().vertex_area / beta)
   {
     if (!stiff())

@@ -1,6 +1,7 @@
 #include "solver/equilibrium/AxisymmetricShape.h"
 
 #include "solver/Errors.h"
+#include "solver/mesh/shapes/Bowl.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
@@ -170,29 +171,10 @@ Meridian near_sphere(double sign, double reduced_volume)
     }));
 }
 
-/// A spherical shell of middle radius 1 and half thickness h that leaves a round opening at the top,
-/// closed by half a torus.
-Meridian bowl(double h)
+Meridian bowl(double half_thickness)
 {
-  constexpr double hole = 0.25;
-  const double reach = pi - std::asin(hole + h), outer = (1 + h) * reach, rim = pi * h,
-               inner = (1 - h) * reach;
-  const auto on_circle = [](double radius, double angle) -> Eigen::Vector2d {
-    return { radius * std::sin(angle), -radius * std::cos(angle) };
-  };
-  return of_unit_volume(Meridian(intervals,
-    [&](double t) -> Eigen::Vector2d
-    {
-      double way = (1 - t / pi) * (outer + rim + inner);
-      if (way <= outer)
-        return on_circle(1 + h, way / (1 + h));
-      way -= outer;
-      if (way > rim)
-        return on_circle(1 - h, reach - (way - rim) / (1 - h));
-      const double turn = way / h;
-      return on_circle(1 + h * std::cos(turn), reach) +
-        h * std::sin(turn) * Eigen::Vector2d(std::cos(reach), std::sin(reach));
-    }));
+  return of_unit_volume(
+    Meridian(intervals, [&](double t) { return bowl_meridian(half_thickness, 1 - t / pi); }));
 }
 
 /// Coefficients of surfaces that are the same upside down, or, for stomatocytes, of all whose mean

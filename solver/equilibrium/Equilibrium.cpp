@@ -51,7 +51,7 @@ public:
   void slide();
   void settle();
   void descend();
-  Equilibrium result();
+  Equilibrium finish();
 
 private:
   Step step_of(const BorderedSystem& system, const Eigen::VectorXd& gradient,
@@ -275,8 +275,10 @@ void Search::descend()
   throw NumericalError("the search for a minimum of the energy takes too long on this mesh");
 }
 
-Equilibrium Search::result()
+Equilibrium Search::finish()
 {
+  slide();
+  settle();
   linearise();
   Eigen::VectorXd force = point_.lagrangian_gradient(multipliers_)(Eigen::seq(0, Eigen::last, 3));
   const double imbalance =
@@ -293,9 +295,7 @@ Equilibrium equilibrium_near(
 {
   Search search(problem, vertices, observer);
   search.approach();
-  search.slide();
-  search.settle();
-  return search.result();
+  return search.finish();
 }
 
 Equilibrium equilibrium_below(
@@ -303,9 +303,7 @@ Equilibrium equilibrium_below(
 {
   Search search(problem, vertices, observer);
   search.descend();
-  search.slide();
-  search.settle();
-  return search.result();
+  return search.finish();
 }
 
 Points pushed_along_lowest_mode(const EnergyProblem& problem, const Equilibrium& from)

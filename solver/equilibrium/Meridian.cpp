@@ -82,7 +82,7 @@ struct Jet
     return { a.value * b.value, a.value * b.first + b.value * a.first,
       a.value * b.second + b.value * a.second + cross + cross.transpose() };
   }
-  friend Jet power(const Jet& a, double exponent)
+  friend Jet pow(const Jet& a, double exponent)
   {
     const double p = std::pow(a.value, exponent), d = exponent * p / a.value,
                  dd = (exponent - 1) * d / a.value;
@@ -114,9 +114,11 @@ Place place_of_z(int j, int n)
 }
 
 /// The relative speed at a distance r from the axis is 1/√stretch.
-double stretch(double r)
+template<class Number>
+Number stretch(const Number& r)
 {
-  return 1 + 1 / (r * r + pole * pole);
+  using std::pow;
+  return Number{ 1 } + pow(r * r + Number{ pole * pole }, -1.);
 }
 
 /// What is integrated over t, at one quadrature point, by the coefficients of its interval.
@@ -181,13 +183,13 @@ void for_each_point(const Meridian& meridian, double mean, Visit visit)
       const Jet r = Jet::variable(u[0], 0), r1 = Jet::variable(u[1], 1),
                 r2 = Jet::variable(u[2], 2), z1 = Jet::variable(u[3], 3),
                 z2 = Jet::variable(u[4], 4);
-      const Jet squared = r1 * r1 + z1 * z1, speed = power(squared, 0.5),
+      const Jet squared = r1 * r1 + z1 * z1, speed = pow(squared, 0.5),
                 curved = r * (z1 * r2 - r1 * z2) - z1 * squared, // 2H r speed³
-        stretched = Jet{ 1 } + power(r * r + Jet{ pole * pole }, -1);
-      d.energy = pi * (curved * curved * power(r, -1) * power(squared, -2.5));
+        stretched = stretch(r);
+      d.energy = pi * (curved * curved * pow(r, -1) * pow(squared, -2.5));
       d.area = 2 * pi * (r * speed);
       d.volume = -pi * (r * r * z1);
-      d.even_speed = speed * power(stretched, 0.5);
+      d.even_speed = speed * pow(stretched, 0.5);
       d.uneven = evenness_weight * (squared * stretched - 2 * mean * d.even_speed);
       visit(d);
     }

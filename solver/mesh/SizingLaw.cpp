@@ -50,8 +50,7 @@ double triangles_of(const Eigen::VectorXd& h, const Eigen::VectorXd& area)
 
 }
 
-// c grows as the number of triangles falls; with c the limit on the growth falls back and the count
-// follows 1/c², so that Newton's method in ln c and the count's logarithm is exact without a limit.
+// The count goes with 1/c², exactly so where the growth isn't limited: one round then.
 Eigen::VectorXd wanted_edge_lengths(const SizingLaw& law, const Points& points,
   const AdjacencyList& neighbours, const Eigen::VectorXd& curvature, const Eigen::VectorXd& area,
   int triangles)

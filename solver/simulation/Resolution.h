@@ -4,7 +4,6 @@
 
 #include "solver/surface/LoopEnergy.h"
 
-#include <optional>
 #include <string>
 
 namespace vesicle
@@ -14,7 +13,7 @@ namespace vesicle
 class Resolution
 {
 public:
-  explicit Resolution(const Triangles& triangles, int points);
+  Resolution(const Triangles& triangles, int points);
 
   /// What is to be said where the rules differ by more than `allowed`, with the place, in the points'
   /// units, and how many triangles are needed; empty if they don't.

@@ -191,29 +191,10 @@ struct ElementMatrix
 
 }
 
-NodeFrames frames_along(const Points& normals)
-{
-  NodeFrames frames(normals.rows(), 9);
-  for (Eigen::Index i = 0; i < normals.rows(); ++i)
-  {
-    const Vector3 n = normals.row(i).transpose(), t = n.unitOrthogonal();
-    frames.row(i) << n.transpose(), t.transpose(), n.cross(t).transpose();
-  }
-  return frames;
-}
-
 CurvedPoints::CurvedPoints(const BasisTable& table, const Points& control)
   : points(evaluate(table, control)), second(second_derivatives(table, control)),
-    twice_mean(table.rows())
+    twice_mean(2 * mean_curvature(points, second))
 {
-  for (int q = 0; q < table.rows(); ++q)
-  {
-    const Row3 a = points.tangent_u.row(q), b = points.tangent_v.row(q), m = points.cross.row(q);
-    twice_mean[q] = -(b.squaredNorm() * second.uu.row(q) - 2 * a.dot(b) * second.uv.row(q) +
-                      a.squaredNorm() * second.vv.row(q))
-                       .dot(m) /
-      std::pow(m.squaredNorm(), 1.5);
-  }
 }
 
 Eigen::VectorXd curvature_gradient(

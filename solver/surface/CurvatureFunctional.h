@@ -2,6 +2,7 @@
 // Functionals of a smooth surface's curvature, ∮ φ(2H) dS − p V, with the exact first and second
 // derivatives of what the quadrature sees.
 
+#include "solver/surface/NodeFrames.h"
 #include "solver/surface/SurfaceIntegrals.h"
 
 namespace vesicle
@@ -17,11 +18,6 @@ struct CurvatureDensity
   {
   }
 };
-
-/// Orthonormal vectors at every node, one after the other.
-using NodeFrames = Eigen::Matrix<double, Eigen::Dynamic, 9, Eigen::RowMajor>;
-/// The unit normals and two tangents each.
-NodeFrames frames_along(const Points& normals);
 
 /// A surface with what its functionals need: its points and their second derivatives.
 struct CurvedPoints

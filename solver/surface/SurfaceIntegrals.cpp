@@ -14,10 +14,10 @@ using Row3 = Eigen::RowVector3d;
 
 // Calls visit(row) for every row, in parallel.
 template<class Visit>
-void for_each_row(const BasisTable& table, Visit visit)
+void for_each_row(int rows, Visit visit)
 {
   constexpr int grain = 256; // rows, some ten thousand operations
-  parallel_for(table.rows(), visit, grain);
+  parallel_for(rows, visit, grain);
 }
 
 // Calls visit(row, entry) for every entry of the table, one after the other.
@@ -60,7 +60,7 @@ SurfacePoints evaluate(const BasisTable& table, const Points& nodes)
   const int rows = table.rows();
   SurfacePoints s{ RowVectors(rows, 3), RowVectors(rows, 3), RowVectors(rows, 3),
     RowVectors(rows, 3), Eigen::VectorXd(rows) };
-  for_each_row(table,
+  for_each_row(table.rows(),
     [&](int q)
     {
       Row3 x = Row3::Zero(), a = x, b = x;
@@ -107,7 +107,7 @@ SecondDerivatives second_derivatives(const BasisTable& table, const Points& node
 {
   const int rows = table.rows();
   SecondDerivatives d{ RowVectors(rows, 3), RowVectors(rows, 3), RowVectors(rows, 3) };
-  for_each_row(table,
+  for_each_row(table.rows(),
     [&](int q)
     {
       Row3 uu = Row3::Zero(), uv = uu, vv = uu;
@@ -127,9 +127,13 @@ SecondDerivatives second_derivatives(const BasisTable& table, const Points& node
 
 Eigen::VectorXd mean_curvature(const BasisTable& table, const SurfacePoints& s, const Points& nodes)
 {
-  const SecondDerivatives d = second_derivatives(table, nodes);
-  Eigen::VectorXd mean(table.rows());
-  for_each_row(table,
+  return mean_curvature(s, second_derivatives(table, nodes));
+}
+
+Eigen::VectorXd mean_curvature(const SurfacePoints& s, const SecondDerivatives& d)
+{
+  Eigen::VectorXd mean(s.cross.rows());
+  for_each_row(static_cast<int>(mean.size()),
     [&](int q)
     {
       const Row3 a = s.tangent_u.row(q), b = s.tangent_v.row(q), c = s.cross.row(q);

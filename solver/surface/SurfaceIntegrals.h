@@ -38,6 +38,7 @@ SecondDerivatives second_derivatives(const BasisTable& table, const Points& node
 /// H = −½ a^{αβ} ∂²x/∂α∂β · n at the rows, for bases with second derivatives; +1/R on a sphere.
 Eigen::VectorXd mean_curvature(
   const BasisTable& table, const SurfacePoints& surface, const Points& nodes);
+Eigen::VectorXd mean_curvature(const SurfacePoints& surface, const SecondDerivatives& second);
 
 double area(const SurfacePoints& surface);
 /// Enclosed volume, (1/3) ∮ x·n dS, with x taken from the area's centroid.

@@ -100,6 +100,17 @@ Outcome python_file(const std::filesystem::path& folder, const std::filesystem::
   return program("/usr/bin/python3", folder, words);
 }
 
+void expect_usage_errors(
+  const std::filesystem::path& folder, const std::vector<std::vector<std::string>>& commands)
+{
+  for (const auto& arguments : commands)
+  {
+    const auto outcome = vesicle_command(folder, arguments);
+    EXPECT_EQ(outcome.code, 2) << outcome.output;
+    EXPECT_FALSE(outcome.errors.empty());
+  }
+}
+
 void write_scene_file(const std::filesystem::path& folder)
 {
   std::ofstream(folder / "pear.toml") << R"(name = "pear"

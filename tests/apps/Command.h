@@ -50,6 +50,9 @@ Outcome python_file(const std::filesystem::path& folder, const std::filesystem::
   const std::vector<std::string>& arguments);
 
 /// A scene of a few seconds at most; writes it as pear.toml.
+/// Each ends with exit code 2 and says why.
+void expect_usage_errors(
+  const std::filesystem::path& folder, const std::vector<std::vector<std::string>>& commands);
 void write_scene_file(const std::filesystem::path& folder);
 std::string bytes_of(const std::filesystem::path& file);
 

@@ -110,17 +110,13 @@ TEST(EquilibriumCommand, RefusesWhatHasNone)
   write_scene(
     folder.path() / "both.toml", "[gravity]\nbond_number = 10\n", "end = \"equilibrium\"\n");
   EXPECT_EQ(vesicle_command(folder.path(), { "run", "both.toml" }).code, 2);
-  const std::vector<std::vector<std::string>> commands{ { "shear.toml" }, { "pear.toml" },
-    { "--branch", "torus", "--reduced-volume", "0.6" }, { "--branch", "oblate" },
-    { "--branch", "stomatocyte", "--reduced-volume", "0.8" }, { "--sweep", "1:0.5" }, {},
-    { "--branch", "oblate", "--reduced-volume", "0.8", "-o", "x.xyz" } };
-  for (auto arguments : commands)
-  {
-    arguments.insert(arguments.begin(), "equilibrium");
-    const auto outcome = vesicle_command(folder.path(), arguments);
-    EXPECT_EQ(outcome.code, 2) << outcome.output;
-    EXPECT_FALSE(outcome.errors.empty());
-  }
+  expect_usage_errors(folder.path(),
+    { { "equilibrium", "shear.toml" }, { "equilibrium", "pear.toml" }, { "equilibrium" },
+      { "equilibrium", "--branch", "torus", "--reduced-volume", "0.6" },
+      { "equilibrium", "--branch", "oblate" },
+      { "equilibrium", "--branch", "stomatocyte", "--reduced-volume", "0.8" },
+      { "equilibrium", "--sweep", "1:0.5" },
+      { "equilibrium", "--branch", "oblate", "--reduced-volume", "0.8", "-o", "x.xyz" } });
 }
 
 TEST(EquilibriumCommand, SweepsAllBranches)

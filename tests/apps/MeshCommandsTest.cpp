@@ -45,15 +45,10 @@ TEST(Help, IsThereForAllWithAnExample)
 TEST(Usage, ErrorsAreTwo)
 {
   const TemporaryFolder folder;
-  const std::vector<std::vector<std::string>> commands{ {}, { "dance" }, { "run" },
-    { "info", "--colour" }, { "shape", "cube" }, { "run", "a.toml", "--resume", "--overwrite" },
-    { "run", "a.toml", "--threads", "0" }, { "info", "mesh.xyz" }, { "info", "none.vtu" } };
-  for (const auto& arguments : commands)
-  {
-    const auto outcome = vesicle_command(folder.path(), arguments);
-    EXPECT_EQ(outcome.code, 2) << outcome.output;
-    EXPECT_FALSE(outcome.errors.empty());
-  }
+  expect_usage_errors(folder.path(),
+    { {}, { "dance" }, { "run" }, { "info", "--colour" }, { "shape", "cube" },
+      { "run", "a.toml", "--resume", "--overwrite" }, { "run", "a.toml", "--threads", "0" },
+      { "info", "mesh.xyz" }, { "info", "none.vtu" } });
 }
 
 TEST(Shape, HasWhatWasAskedFor)

@@ -6,7 +6,6 @@
 #include "solver/mesh/shapes/UniformMesh.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -15,10 +14,6 @@ namespace vesicle
 
 namespace
 {
-constexpr double count_penalty = 30; // on the score, of a relative deviation
-constexpr int trial_passes = 40;
-constexpr int settling_passes = 200;
-constexpr int fine_passes = 60;
 constexpr int finalists = 4;
 /// Errors below don't tell meshes apart: they may be small by accident.
 constexpr double accidental_error = 1e-4;
@@ -40,8 +35,8 @@ std::vector<Graded> best_triangulations(
   for (SphereMesh& mesh : placed_triangulations(triangles, symmetry))
   {
     const double score = grade(mesh, surface, trial_passes);
-    const double deviation = static_cast<double>(mesh.triangles.rows()) / triangles - 1;
-    tried.push_back({ std::move(mesh), score * std::exp(-count_penalty * std::abs(deviation)) });
+    const double merit = score * count_merit(mesh.triangles.rows(), triangles);
+    tried.push_back({ std::move(mesh), merit });
   }
   std::ranges::stable_sort(tried, std::ranges::greater(), &Graded::score);
   tried.resize(std::min<std::size_t>(tried.size(), finalists));

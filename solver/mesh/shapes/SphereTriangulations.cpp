@@ -81,6 +81,12 @@ std::vector<SphereMesh> placed_triangulations(int triangles, Symmetry symmetry)
   return result;
 }
 
+double count_merit(Eigen::Index has, int asked_for)
+{
+  constexpr double penalty = 30; // of a relative deviation
+  return std::exp(-penalty * std::abs(static_cast<double>(has) / asked_for - 1));
+}
+
 CoarseCount coarse_count(int triangles)
 {
   CoarseCount count{ triangles, 0 };

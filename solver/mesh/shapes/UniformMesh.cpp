@@ -5,7 +5,6 @@
 #include "solver/mesh/shapes/SphereTriangulations.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace vesicle
@@ -13,11 +12,7 @@ namespace vesicle
 
 namespace
 {
-constexpr double count_penalty = 30; // on the score, of a relative deviation
-constexpr int trial_passes = 40;
 constexpr int finalists = 3;
-constexpr int settling_passes = 200;
-constexpr int fine_passes = 60;
 
 struct Candidate
 {
@@ -33,9 +28,8 @@ void try_out(std::vector<Candidate>& candidates, const SphericalParametrisation&
   for (Candidate& candidate : candidates)
   {
     smooth(candidate.mesh, surface, passes);
-    const double deviation = static_cast<double>(candidate.mesh.triangles.rows()) / triangles - 1;
     candidate.merit = mesh_quality(mapped(candidate.mesh, surface)).score() *
-      std::exp(-count_penalty * std::abs(deviation));
+      count_merit(candidate.mesh.triangles.rows(), triangles);
   }
   std::ranges::stable_sort(candidates, std::ranges::greater(), &Candidate::merit);
 }
