@@ -10,6 +10,8 @@
 #include <system_error>
 
 #include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace vesicle
@@ -83,6 +85,64 @@ int rename_to(const path& unfinished, const path& file)
   fail_to_write(file, reason);
 }
 
+/// Beside the system's error numbers.
+constexpr int nothing_came = -1;
+/// What comes through a pipe has no length that could be looked at before.
+constexpr std::size_t most_of_a_pipe = std::size_t{ 1 } << 30;
+
+bool is_pipe(int descriptor)
+{
+  struct stat status = {};
+  return ::fstat(descriptor, &status) == 0 && S_ISFIFO(status.st_mode);
+}
+
+/// Until something comes, or nothing will, or for that time; −1: for ever.
+void await(int descriptor, std::chrono::milliseconds time)
+{
+  pollfd awaited{ descriptor, POLLIN, 0 };
+  while (::poll(&awaited, 1, static_cast<int>(time.count())) < 0 && errno == EINTR)
+  {
+  }
+}
+
+/// 0, the system's error number, or nothing_came. A pipe is waited for as long as somebody has it
+/// open for writing, for who does that first `patience`.
+int read_all(int descriptor, std::chrono::milliseconds patience, std::string& bytes)
+{
+  const bool pipe = is_pipe(descriptor);
+  bool waited = !pipe;
+  std::array<char, 65536> piece;
+  for (;;)
+  {
+    const ssize_t count = ::read(descriptor, piece.data(), piece.size());
+    if (count > 0)
+    {
+      bytes.append(piece.data(), static_cast<std::size_t>(count));
+    }
+    else if (count == 0 && bytes.empty() && !waited)
+    {
+      await(descriptor, patience);
+      waited = true;
+    }
+    else if (count == 0)
+    {
+      return pipe && bytes.empty() ? nothing_came : 0;
+    }
+    else if (errno == EAGAIN)
+    {
+      await(descriptor, std::chrono::milliseconds(-1));
+    }
+    else if (errno != EINTR)
+    {
+      return errno;
+    }
+    if (pipe && bytes.size() > most_of_a_pipe)
+    {
+      return EFBIG;
+    }
+  }
+}
+
 }
 
 path unfinished_name(const path& file)
@@ -144,32 +204,40 @@ bool is_file(const path& path)
 void require_file(const path& file)
 {
   std::error_code ignored;
+  const auto kind = std::filesystem::status(file, ignored).type();
+  const auto refuse = [&](const char* why)
+  { throw InputError(fmt::format("{}: {}", file.string(), why)); };
+  if (kind == std::filesystem::file_type::directory)
+  {
+    refuse("is a folder; name a file");
+  }
+  if (kind == std::filesystem::file_type::character || kind == std::filesystem::file_type::block ||
+    kind == std::filesystem::file_type::socket)
+  {
+    refuse("is a device or a socket; name a file or a pipe");
+  }
   if (!is_there(file))
   {
-    throw InputError(fmt::format("{}: there is no such file; check the path", file.string()));
-  }
-  if (std::filesystem::is_directory(file, ignored))
-  {
-    throw InputError(fmt::format("{}: is a folder; name a file", file.string()));
+    refuse("there is no such file; check the path");
   }
 }
 
-std::string read_file(const path& file)
+std::string read_file(const path& file, std::chrono::milliseconds patience)
 {
   require_file(file);
-  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  // A pipe that nobody writes to would be waited for while it is opened.
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   std::string bytes;
-  std::array<char, 65536> piece;
-  ssize_t count = descriptor < 0 ? -1 : 0;
-  while (descriptor >= 0 &&
-    ((count = ::read(descriptor, piece.data(), piece.size())) > 0 || (count < 0 && errno == EINTR)))
-  {
-    bytes.append(piece.data(), static_cast<std::size_t>(count > 0 ? count : 0));
-  }
-  const int reason = count < 0 ? errno : 0;
+  const int reason = descriptor < 0 ? errno : read_all(descriptor, patience, bytes);
   if (descriptor >= 0)
   {
     ::close(descriptor);
+  }
+  if (reason == nothing_came)
+  {
+    throw InputError(
+      fmt::format("{}: is a pipe that nobody wrote to; start the program that does, or name a file",
+        file.string()));
   }
   if (reason != 0)
   {

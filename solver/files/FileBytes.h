@@ -2,6 +2,7 @@
 // Files that are there as a whole or not at all. Together with OpenFile and FileLock this is the
 // one place where the program writes to a disk.
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -27,9 +28,12 @@ void finish_file(const std::filesystem::path& file);
 bool is_there(const std::filesystem::path& path);
 bool is_file(const std::filesystem::path& path);
 
-/// Throws InputError if there is none, IoError if it can't be read.
-std::string read_file(const std::filesystem::path& file);
-/// Throws InputError unless there is a file.
+/// All of a file or of what comes through a pipe, up to 1 GiB. A pipe is read until nobody has it open
+/// for writing any more; `patience` is how long it is waited for somebody to do so at all. Throws
+/// InputError if there is nothing to read, IoError if it can't be.
+std::string read_file(
+  const std::filesystem::path& file, std::chrono::milliseconds patience = std::chrono::seconds(10));
+/// Throws InputError unless there is a file or a pipe.
 void require_file(const std::filesystem::path& file);
 /// Makes the folder and those above it. Throws IoError.
 void make_folder(const std::filesystem::path& folder);

@@ -11,8 +11,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 namespace vesicle
 {
@@ -89,18 +87,6 @@ Scene read_document(const SceneDocument& document)
   return scene;
 }
 
-std::string text_of(const std::filesystem::path& file)
-{
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  if (stream)
-    text << stream.rdbuf();
-  if (!stream || text.bad()) // folders can be opened, but not read
-    throw InputError(fmt::format("{}: can't be read: {}; allowed: a scene in TOML", file.string(),
-      is_there(file) ? "not a readable file" : "no such file"));
-  return text.str();
-}
-
 /// A missing mesh is better said here, with the scene's line, than when it is read.
 void check_mesh_exists(const SceneDocument& document, const Scene& scene)
 {
@@ -115,7 +101,7 @@ void check_mesh_exists(const SceneDocument& document, const Scene& scene)
 Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides)
 {
   const SceneDocument document =
-    parse_document(text_of(file), file.string(), file.parent_path(), overrides);
+    parse_document(read_file(file), file.string(), file.parent_path(), overrides);
   Scene scene = read_document(document);
   check_mesh_exists(document, scene);
   scene.file = std::filesystem::absolute(file).lexically_normal();

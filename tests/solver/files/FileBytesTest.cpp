@@ -6,26 +6,34 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <fstream>
 #include <functional>
+#include <thread>
+
+#include <sys/stat.h>
 
 namespace vesicle::test
 {
 namespace
 {
 
-std::string message_of(const std::function<void()>& work)
+template<class Error>
+std::string what_of(const std::function<void()>& work)
 {
   try
   {
     work();
   }
-  catch (const IoError& error)
+  catch (const Error& error)
   {
     return error.what();
   }
-  return "no IoError";
+  return "no error";
 }
+
+constexpr auto message_of = what_of<IoError>;
+constexpr auto refusal_of = what_of<InputError>;
 
 }
 
@@ -74,11 +82,38 @@ TEST(FileBytes, FailuresNameTheFileAndTheReasonAndLeaveNothing)
   EXPECT_EQ(message_of([&] { replace_file(nowhere, "text"); }),
     nowhere.string() + ": can't be written: No such file or directory");
   std::filesystem::create_directories(folder / "taken/by a folder");
-  EXPECT_NE(message_of([&] { replace_file(folder / "taken", "text"); }), "no IoError");
+  EXPECT_NE(message_of([&] { replace_file(folder / "taken", "text"); }), "no error");
   std::filesystem::remove_all(folder / "taken");
   const FullDisk full(4);
-  EXPECT_NE(message_of([&] { replace_file(folder / "file", "longer"); }), "no IoError");
+  EXPECT_NE(message_of([&] { replace_file(folder / "file", "longer"); }), "no error");
   EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+TEST(FileBytes, PipesAreReadToTheirEnd)
+{
+  const TemporaryFolder folder;
+  const auto pipe = folder / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const std::string bytes(200000, 'x'); // more than a pipe holds
+  std::jthread writer([&] { std::ofstream(pipe, std::ios::binary) << bytes; });
+  EXPECT_EQ(read_file(pipe), bytes);
+}
+
+TEST(FileBytes, APipeWithoutAWriterIsRefused)
+{
+  const TemporaryFolder folder;
+  const auto pipe = folder / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(refusal_of([&] { read_file(pipe, std::chrono::milliseconds(10)); }),
+    pipe.string() +
+      ": is a pipe that nobody wrote to; start the program that does, or name a file");
+}
+
+TEST(FileBytes, FoldersAndDevicesArentRead)
+{
+  EXPECT_EQ(refusal_of([] { read_file("/dev"); }), "/dev: is a folder; name a file");
+  EXPECT_EQ(refusal_of([] { read_file("/dev/zero"); }),
+    "/dev/zero: is a device or a socket; name a file or a pipe");
 }
 
 TEST(FileBytes, DevicesAreWrittenToAndStay)
