@@ -23,9 +23,12 @@
 #include "vtkUnstructuredGrid.h"
 #include "vtkXMLPolyDataWriter.h"
 #include "vtkXMLUnstructuredGridWriter.h"
+#include "vtkZLibDataCompressor.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdint>
 #include <fstream>
 #include <random>
 #include <sstream>
@@ -230,6 +233,43 @@ TEST(XmlSurfaceFile, CutOrDamagedIsRefusedOrAMesh)
         triangles_of(file);
       }
     });
+}
+
+// Of which each is within what compression can do, all together being gigabytes.
+TEST(XmlSurfaceFile, ArraysThatShareACompressedBlockAreRefusedBeforeTheyFillTheMemory)
+{
+  const TemporaryFolder folder;
+  const auto file = folder / "mesh.vtp";
+  constexpr std::uint32_t block = 100 << 20;
+  const std::string zeros(block, '\0');
+  vtkNew<vtkZLibDataCompressor> compressor;
+  const auto compressed = vtk::TakeSmartPointer(
+    compressor->Compress(reinterpret_cast<const unsigned char*>(zeros.data()), zeros.size()));
+  const std::array<std::uint32_t, 4> sizes{ 1, block, 0,
+    static_cast<std::uint32_t>(compressed->GetNumberOfTuples()) };
+  std::string text =
+    "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" byte_order=\"LittleEndian\" "
+    "compressor=\"vtkZLibDataCompressor\"><PolyData><FieldData>";
+  for (int i = 0; i < 100; ++i)
+  {
+    text += "<DataArray type=\"Float64\" Name=\"zeros " + std::to_string(i) +
+      "\" format=\"appended\" offset=\"0\"/>";
+  }
+  text += "</FieldData><Piece NumberOfPoints=\"0\"/></PolyData><AppendedData encoding=\"raw\">_";
+  text.append(reinterpret_cast<const char*>(sizes.data()), sizeof sizes);
+  text.append(reinterpret_cast<const char*>(compressed->GetPointer(0)), sizes[3]);
+  text += "</AppendedData></VTKFile>";
+  write_all(file, text);
+  try
+  {
+    read_mesh(file);
+    FAIL() << "no error";
+  }
+  catch (const InputError& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("is too much for a file of"), std::string::npos)
+      << error.what();
+  }
 }
 
 TEST(XmlSurfaceFile, GhostCellsDontCount)

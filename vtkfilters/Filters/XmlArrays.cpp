@@ -24,6 +24,24 @@ namespace
 
 /// zlib shrinks by 1032 at most, LZ4 by 255; blocks of LZMA that VTK writes by less.
 constexpr std::uint64_t most_shrinking = 1100;
+constexpr std::uint64_t largest_block = std::numeric_limits<int>::max();
+
+/// What the arrays of a file may take in memory. Points and triangles shrink by a few times; a file
+/// of a megabyte that holds gigabytes is one of nothing but zeros, or its arrays share their bytes.
+constexpr std::uint64_t memory_of_small_files = std::uint64_t{ 1 } << 28;
+constexpr std::uint64_t memory_of_a_byte_in_files = 16;
+
+/// How much memory a byte of an array takes at most: integers may be read as those of 64 bits.
+std::uint64_t memory_of_a_byte(const std::string& type)
+{
+  if (type == "Bit" || type == "String")
+    return 64;
+  if (type.ends_with("64") || type == "vtkIdType")
+    return 1;
+  if (type.ends_with("32"))
+    return 2;
+  return type.ends_with("16") ? 4 : 8;
+}
 
 /// −1: none of base64's letters.
 int base64_digit(char c)
@@ -89,8 +107,7 @@ std::string uncompressed(
   {
     const std::uint64_t size = i + 1 == blocks && last > 0 ? last : block;
     const auto compressed = reader.take(sizes[3 + i], "a compressed block");
-    if (size > most_shrinking * (compressed.size() + 1) ||
-      size > static_cast<std::uint64_t>(std::numeric_limits<int>::max()))
+    if (size > most_shrinking * (compressed.size() + 1))
       reader.fail(
         fmt::format("a compressed block of {} bytes can't hold {}", compressed.size(), size));
     const std::size_t first = bytes.size();
@@ -106,7 +123,8 @@ std::string uncompressed(
 }
 
 XmlArrays::XmlArrays(const XmlDocument& document, std::string name)
-  : document_(document), name_(std::move(name))
+  : document_(document), name_(std::move(name)),
+    memory_left_(std::max(memory_of_small_files, memory_of_a_byte_in_files * document.size))
 {
   const std::string order = document.root.attribute("byte_order");
   const std::string header = document.root.attribute("header_type");
@@ -127,6 +145,17 @@ void XmlArrays::fail(const XmlElement& element, const std::string& problem) cons
 {
   throw InputError(fmt::format("{}: the array '{}' {}; write the mesh again, or in another format",
     name_, element.attribute("Name"), problem));
+}
+
+void XmlArrays::take_memory(const XmlElement& element, std::uint64_t bytes) const
+{
+  const std::uint64_t memory = memory_of_a_byte(element.attribute("type"));
+  if (bytes > memory_left_ / memory)
+    fail(element,
+      fmt::format("of {} bytes is too much for a file of {}, which it can only be where they "
+                  "share their bytes or are all the same",
+        bytes, document_.size));
+  memory_left_ -= memory * bytes;
 }
 
 std::string XmlArrays::bytes_of(const XmlElement& element) const
@@ -155,13 +184,21 @@ std::string XmlArrays::bytes_of(const XmlElement& element) const
   };
   const std::uint64_t count = header(); // of bytes, or of blocks
   if (!compressor_)
-    return std::string(reader.take(count, "the values"));
+  {
+    const auto values = reader.take(count, "the values");
+    take_memory(element, values.size());
+    return std::string(values);
+  }
   if (count == 0)
     return {};
   reader.require(count, wide_headers_ ? 8 : 4, "the sizes of the compressed blocks");
   std::vector<std::uint64_t> sizes{ count };
   for (std::uint64_t i = 0; i < count + 2; ++i)
     sizes.push_back(header());
+  const std::uint64_t block = sizes[1], last = sizes[2] > 0 ? sizes[2] : block;
+  if (std::max(block, last) > largest_block)
+    fail(element, fmt::format("has compressed blocks of {} bytes", std::max(block, last)));
+  take_memory(element, (count - 1) * block + last);
   return uncompressed(reader, sizes, compressor_);
 }
 

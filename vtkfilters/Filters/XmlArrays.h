@@ -9,6 +9,7 @@
 #include "vtkSmartPointer.h"
 
 #include <bit>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -25,7 +26,8 @@ public:
   ~XmlArrays();
 
   /// An array with as many components as the element says. Throws InputError "name: array 'x' …"
-  /// where it is damaged, before memory is taken for what isn't there.
+  /// where it is damaged, before memory is taken for what isn't there, or where all arrays together
+  /// would take far more memory than the file has bytes.
   DataArray read(const XmlElement& element) const;
   /// Of integers of any type.
   std::vector<std::int64_t> read_integers(const XmlElement& element) const;
@@ -33,6 +35,7 @@ public:
   [[noreturn]] void fail(const XmlElement& element, const std::string& problem) const;
 
 private:
+  void take_memory(const XmlElement& element, std::uint64_t bytes) const;
   std::string bytes_of(const XmlElement& element) const;
   DataArray::Values values_of(const XmlElement& element) const;
   template<typename T>
@@ -46,6 +49,7 @@ private:
   bool wide_headers_ = false; ///< 64 bits
   bool appended_as_text_ = false;
   vtkSmartPointer<vtkDataCompressor> compressor_;
+  mutable std::uint64_t memory_left_; ///< for further arrays
 };
 
 }

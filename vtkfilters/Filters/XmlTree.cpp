@@ -165,7 +165,7 @@ XmlDocument parse_vtk_xml(std::string_view bytes, const std::string& name)
   {
     throw InputError(name + ": is not a VTK file: its first element should be VTKFile");
   }
-  return { std::move(builder->Root), parts.appended };
+  return { std::move(builder->Root), parts.appended, bytes.size() };
 }
 
 }

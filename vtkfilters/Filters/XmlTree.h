@@ -27,6 +27,7 @@ struct XmlDocument
 {
   XmlElement root;
   std::string_view appended; ///< what follows the underscore in AppendedData, in `bytes`
+  std::size_t size = 0;      ///< of the whole file
 };
 
 /// Parses a VTKFile, whose appended data may be any bytes; `bytes` must outlive the document. Throws
