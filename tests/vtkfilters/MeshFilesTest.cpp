@@ -9,6 +9,7 @@
 #include "tests/solver/support/FullDisk.h"
 #include "tests/support/TemporaryFolder.h"
 
+#include "vtkBitArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -82,6 +83,39 @@ TEST_P(MeshFiles, AFullDiskIsAnIoErrorAndLeavesNothing)
 
 INSTANTIATE_TEST_SUITE_P(
   Endings, MeshFiles, testing::Values(".vtu", ".vtp", ".vtk", ".stl", ".ply", ".obj", ".off"));
+
+TEST_P(MeshFiles, KeepBitsOfSeveralComponentsAndArraysWithoutValues)
+{
+  if (!keeps_field_data(std::string("mesh") + GetParam()))
+  {
+    GTEST_SKIP() << "no field data";
+  }
+  const TemporaryFolder folder;
+  const auto file = folder / (std::string("mesh") + GetParam());
+  const auto surface = to_polydata(geodesic_sphere(2));
+  const vtkIdType points = surface->GetNumberOfPoints();
+  vtkNew<vtkBitArray> bits, none;
+  bits->SetName("bits");
+  bits->SetNumberOfComponents(3);
+  bits->SetNumberOfTuples(points);
+  for (vtkIdType i = 0; i < 3 * points; ++i)
+  {
+    bits->SetValue(i, i % 5 == 0);
+  }
+  surface->GetPointData()->SetVectors(bits);
+  none->SetName("none");
+  surface->GetFieldData()->AddArray(none);
+  write_mesh(surface, file);
+  EXPECT_EQ(surface->GetFieldData()->GetArray("none"), none) << "written, not changed";
+  const auto again = read_mesh(file);
+  vtkDataArray* back = again->GetPointData()->GetVectors();
+  ASSERT_NE(back, nullptr);
+  ASSERT_EQ(back->GetNumberOfTuples(), points);
+  for (vtkIdType i = 0; i < 3 * points; ++i)
+  {
+    EXPECT_EQ(back->GetComponent(i / 3, static_cast<int>(i % 3)), i % 5 == 0) << i;
+  }
+}
 
 TEST(MeshFilesLosses, AreSaid)
 {

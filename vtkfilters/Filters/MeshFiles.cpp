@@ -21,6 +21,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataWriter.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkXMLPolyDataWriter.h"
 #include "vtkXMLUnstructuredGridWriter.h"
@@ -29,6 +30,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <functional>
 #include <limits>
@@ -116,11 +118,55 @@ std::string write_xml(vtkDataObject* data, const path& file)
   return "";
 }
 
-std::string write_legacy(vtkPolyData* surface, const path& file)
+/// VTK's legacy writer counts tuples where it should count bits: several in a tuple are cut short,
+/// none makes it read behind the array.
+bool is_miswritten(vtkAbstractArray* array)
 {
+  return array->GetDataType() == VTK_BIT &&
+    (array->GetNumberOfComponents() > 1 || array->GetNumberOfTuples() == 0);
+}
+
+/// The same arrays in the same places, those that would be miswritten as bytes.
+void put_bytes_for_bits(vtkFieldData* arrays)
+{
+  vtkNew<vtkFieldData> old;
+  old->ShallowCopy(arrays);
+  auto* attributes = vtkDataSetAttributes::SafeDownCast(arrays);
+  std::array<int, vtkDataSetAttributes::NUM_ATTRIBUTES> active;
+  if (attributes)
+  {
+    attributes->GetAttributeIndices(active.data());
+  }
+  arrays->Initialize();
+  for (int i = 0; i < old->GetNumberOfArrays(); ++i)
+  {
+    vtkSmartPointer<vtkAbstractArray> array = old->GetAbstractArray(i);
+    if (is_miswritten(array))
+    {
+      vtkNew<vtkUnsignedCharArray> bytes;
+      bytes->DeepCopy(array);
+      array = bytes;
+    }
+    arrays->AddArray(array);
+  }
+  for (int type = 0; attributes && type < vtkDataSetAttributes::NUM_ATTRIBUTES; ++type)
+  {
+    attributes->SetActiveAttribute(active[type], type);
+  }
+}
+
+std::string write_legacy(vtkPolyData* triangles, const path& file)
+{
+  vtkNew<vtkPolyData> surface;
+  surface->ShallowCopy(triangles);
+  for (vtkFieldData* arrays : { static_cast<vtkFieldData*>(surface->GetPointData()),
+         static_cast<vtkFieldData*>(surface->GetCellData()), surface->GetFieldData() })
+  {
+    put_bytes_for_bits(arrays);
+  }
   vtkNew<vtkPolyDataWriter> writer;
   writer->SetFileTypeToBinary();
-  write_with(writer.Get(), surface, file);
+  write_with(writer.Get(), surface.Get(), file);
   return "";
 }
 
