@@ -5,8 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
 #include <iostream>
+#include <random>
 
 namespace vesicle::test
 {
@@ -78,6 +80,34 @@ TEST(FaultsLong, WhileARunIsReplacedOneOfTheTwoIsThere)
   }
   EXPECT_GT(kept, 0);
   EXPECT_LT(kept, runs.calls() / 2);
+}
+
+// A run and what goes on with it, each killed at any call, until one gets to the end.
+TEST(FaultsLong, AThousandKillsInARowLoseNothing)
+{
+  FaultRuns runs({ "--no-movie", "--no-plots" });
+  const auto folder = runs.folder() / "killed";
+  std::mt19937_64 random(1);
+  constexpr int enough = 1000;
+  int kills = 0, finished = 0, most = 0;
+  for (; kills < enough; ++finished)
+  {
+    std::filesystem::remove_all(folder);
+    std::vector<std::string> way;
+    int code = 128 + SIGKILL, of_this_run = 0;
+    for (; code == 128 + SIGKILL; way = { "--resume" })
+    {
+      const auto call = static_cast<std::int64_t>(1 + random() % runs.calls());
+      const auto outcome = runs.run("killed", { call, "kill", false }, way);
+      code = outcome.code;
+      of_this_run += code == 128 + SIGKILL;
+      ASSERT_TRUE(code == 0 || code == 128 + SIGKILL) << kills << " kills: " << outcome.errors;
+    }
+    kills += of_this_run;
+    most = std::max(most, of_this_run);
+    EXPECT_EQ(differences(files_in(folder), runs.undisturbed()), std::vector<std::string>{});
+  }
+  std::cout << kills << " kills of " << finished << " runs, up to " << most << " of one\n";
 }
 
 TEST(FaultsLong, AnyDamageToTheRunFileIsNoticed)

@@ -1,18 +1,13 @@
 // Each target over its seeds, and over some hundreds or thousands damaged forms of them, the same each time.
+#include "tests/fuzz/Seeds.h"
 #include "tests/fuzz/Targets.h"
 
 #include "solver/files/FileBytes.h"
 
-#include "tests/support/Damage.h"
-
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <ostream>
-#include <random>
 #include <string>
-#include <vector>
 
 namespace vesicle::fuzz
 {
@@ -29,26 +24,6 @@ struct Target
 void PrintTo(const Target& target, std::ostream* out)
 {
   *out << target.name;
-}
-
-std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder)
-{
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
-    files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  return files;
-}
-
-const std::filesystem::path source = VESICLE_SOURCE_DIR;
-
-std::vector<std::filesystem::path> seeds_of(const std::string& target)
-{
-  auto seeds = files_in(source / "tests/fuzz/seeds" / target);
-  if (target == "scenes")
-    for (const auto& scene : files_in(source / "data/scenes"))
-      seeds.push_back(scene);
-  return seeds;
 }
 
 class Fuzz : public testing::TestWithParam<Target>
@@ -74,11 +49,8 @@ TEST_P(Fuzz, DamagedSeedsAreTakenWithoutAFault)
   const auto seeds = seeds_of(GetParam().name);
   for (int i = 0; i < GetParam().mutations; ++i)
   {
-    const auto& seed = seeds[static_cast<std::size_t>(i) % seeds.size()];
-    SCOPED_TRACE(seed.string() + ", damage " + std::to_string(i));
-    std::mt19937 random(static_cast<unsigned>(i));
-    const std::string bytes = test::damaged(read_file(seed), 1 + random() % 4, random);
-    EXPECT_NO_THROW(GetParam().run(bytes));
+    SCOPED_TRACE("damage " + std::to_string(i));
+    EXPECT_NO_THROW(GetParam().run(damaged_seed(seeds, i)));
   }
 }
 
