@@ -289,7 +289,7 @@ RunFile Run::create_checkpoint() const
   Simulation& simulation = *stepper_->GetSimulation();
   RunFile::Header header;
   header.scene = write_scene(scene_);
-  header.triangles = { simulation.triangles() };
+  header.triangles = { simulation.start_mesh().triangles };
   header.length_scale = simulation.scales().length;
   header.time_scale = simulation.scales().time();
   header.energy_scale = simulation.scales().energy;
@@ -324,7 +324,7 @@ void Run::summarize()
   }
   summary_.frames = series_.frames().size();
   summary_.numbers = stepper_->GetSimulation()->numbers();
-  summary_.triangles = static_cast<int>(stepper_->GetSimulation()->triangles().rows());
+  summary_.triangles = static_cast<int>(stepper_->GetSimulation()->start_mesh().triangles.rows());
   summary_.resumed = resumed_;
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - began_;
   summary_.wall_seconds = wall.count();

@@ -94,7 +94,7 @@ void require_same_mesh(
   Simulation& simulation, const RunFile& run, const std::filesystem::path& file)
 {
   const auto& then = run.header().triangles;
-  const Triangles& now = simulation.triangles();
+  const Triangles& now = simulation.start_mesh().triangles;
   if (then.size() != 1 || then[0].rows() != now.rows() || then[0] != now ||
     simulation.scales().length != run.header().length_scale)
   {

@@ -24,6 +24,7 @@ ABOUT = {
     "surface": "basis, quadrature, curvature",
     "flow": "imposed flows",
     "membrane": "force terms, incompressibility",
+    "adaptation": "meshes laid anew",
     "stokes": "kernels, single layer",
     "dynamics": "system, state, step",
     "state": "run file, frames",

@@ -40,8 +40,7 @@ History run_scene(const Report& report, const std::string& name, std::vector<std
 /// it by 0.03 where none lies on the pole.
 void add_extent(Report& report, const History& run, double lowest, double highest, double tolerance)
 {
-  const auto vertices =
-    to_polydata({ run.simulation->points(run.last), run.simulation->triangles() });
+  const auto vertices = to_polydata(run.simulation->mesh(run.last));
   const auto surface = SmoothSurface().refine(vertices, {}).surface;
   std::array<double, 6> bounds;
   surface->GetBounds(bounds.data());

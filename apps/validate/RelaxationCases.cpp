@@ -107,7 +107,7 @@ void energy_falls(Report& report)
   const History begun =
     simulate(scene_of("relax-prolate", { triangles, "time.end=0.5", "time.output_every=0.5" }));
   report.add(at_most("rise of E in an adaptive step", 1e-6, largest_energy_rise(begun)));
-  const TriangleMesh shape{ begun.simulation->points(begun.last), begun.simulation->triangles() };
+  const TriangleMesh shape = begun.simulation->mesh(begun.last);
   ChartSpec chart{ "Relaxation with fixed steps", "time", "E / 8 pi EB", {} };
   for (const double step : { 0.02, 0.1, 0.2 })
   {

@@ -159,7 +159,7 @@ void Report::picture(const std::string& name, Simulation& simulation, const Stat
   {
     return;
   }
-  const auto surface = to_polydata({ simulation.points(state), simulation.triangles() });
+  const auto surface = to_polydata(simulation.mesh(state));
   for (const auto& [array, values] : simulation.fields(state))
   {
     surface->GetPointData()->AddArray(to_array(array, values));

@@ -26,7 +26,7 @@ double roughness(const History& run)
 {
   const Eigen::VectorXd tension = run.simulation->fields(run.last).at("Tension");
   const auto count = static_cast<int>(tension.size());
-  const Connectivity connectivity(run.simulation->triangles(), count);
+  const Connectivity connectivity(run.last.vesicles[0].triangles, count);
   double sum = 0;
   for (int i = 0; i < count; ++i)
   {

@@ -28,6 +28,7 @@ std::vector<std::string> all_names()
   for (int l = 0; l <= Diagnostics::harmonic_degree; ++l)
     for (int m = -l; m <= l; ++m)
       names.push_back(harmonic_name(l, m));
+  names.insert(names.end(), { "triangles", "remeshings", "remeshing_energy" });
   return names;
 }
 
@@ -50,6 +51,7 @@ std::vector<std::optional<double>> Diagnostics::values() const
   values.insert(values.end(), stresslet.begin(), stresslet.end());
   for (int i = 0; i < harmonic_count(harmonic_degree); ++i)
     values.push_back(harmonics ? std::optional((*harmonics)[i]) : std::nullopt);
+  values.insert(values.end(), { triangles, remeshings, remeshing_energy });
   return values;
 }
 

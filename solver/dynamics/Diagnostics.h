@@ -39,6 +39,9 @@ struct Diagnostics
   std::array<double, 6> stresslet{}; ///< xx, xy, xz, yy, yz, zz; see Observables.h
   /// Of the shape about its centroid, in r0, by harmonic_index; none where it isn't star-shaped.
   std::optional<std::array<double, harmonic_count(harmonic_degree)>> harmonics;
+  double triangles = 0;
+  double remeshings = 0;       ///< so far
+  double remeshing_energy = 0; ///< what they have changed the membrane's energy by, in all
 
   static const std::vector<std::string>& names(); ///< the CSV's header
   std::vector<std::optional<double>> values() const;

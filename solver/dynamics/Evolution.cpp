@@ -75,8 +75,12 @@ bool Evolution::steady(const State& state)
 State Evolution::unsolved(const std::vector<Points>& points)
 {
   State state;
-  for (const Points& at : points)
-    state.vesicles.emplace_back().points = at;
+  for (std::size_t v = 0; v < points.size(); ++v)
+  {
+    VesicleState& vesicle = state.vesicles.emplace_back();
+    vesicle.triangles = system().vesicles[v].space->triangles();
+    vesicle.points = points[v];
+  }
   state.preconditioner.points.resize(points.size());
   const auto shape = stepper_.shape(state);
   for (std::size_t v = 0; v < points.size(); ++v)
@@ -100,6 +104,27 @@ State Evolution::start(const std::vector<Points>& points)
   state.controller.free_step = fixed_step_.value_or(first_step / rate());
   plan_next_step(state);
   stepper_.solve(state);
+  return state;
+}
+
+State Evolution::transferred(const State& before, const std::vector<Points>& points)
+{
+  State state = unsolved(points);
+  state.step = before.step;
+  state.time = before.time;
+  state.iterations = before.iterations;
+  state.controller = before.controller;
+  state.remeshing = before.remeshing;
+  for (std::size_t v = 0; v < points.size(); ++v)
+  {
+    state.vesicles[v].target_area = before.vesicles[v].target_area;
+    state.vesicles[v].target_volume = before.vesicles[v].target_volume;
+    state.vesicles[v].area_correction = before.vesicles[v].area_correction;
+    state.vesicles[v].volume_correction = before.vesicles[v].volume_correction;
+  }
+  plan_next_step(state);
+  stepper_.solve(state);
+  require_finite(state);
   return state;
 }
 

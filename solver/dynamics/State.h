@@ -16,6 +16,7 @@ namespace vesicle
 /// Scales.
 struct VesicleState
 {
+  Triangles triangles;     ///< another mesh has others
   Points points;           ///< #vertices by 3
   Points velocity;         ///< #vertices by 3, of the fluid at the vertices
   Points node_velocity;    ///< #vertices by 3, of the vertices (their tangential part is free)
@@ -30,6 +31,15 @@ struct VesicleState
   double target_volume = 0;
   double area_correction = 0; ///< relative, what projections have removed so far, summed absolutely
   double volume_correction = 0;
+};
+
+/// What is remembered of meshes that were laid anew.
+struct RemeshingState
+{
+  std::int64_t count = 0;  ///< how often so far
+  std::int64_t tried = 0;  ///< step after which it was done, or tried in vain, for the last time
+  double disagreement = 0; ///< of the mesh that came out: of its bending energies by two rules
+  double energy = 0;       ///< what the membrane's energy has changed by in all, in EB
 };
 
 /// What the step control remembers. Steps in t0 = μ r0³/EB.
@@ -58,6 +68,7 @@ struct State
   std::int64_t iterations = 0; ///< of the linear solver in the last step
   ControllerState controller;
   PreconditionerState preconditioner;
+  RemeshingState remeshing;
   std::vector<VesicleState> vesicles;
 };
 

@@ -96,6 +96,9 @@ Diagnostics StateReport::diagnose(
   d.divergence = shape.surface->divergence(flat(vesicle.velocity)).cwiseAbs().maxCoeff();
   d.iterations = static_cast<double>(state.iterations);
   d.rejected = static_cast<double>(state.controller.rejected);
+  d.triangles = static_cast<double>(vesicle.triangles.rows());
+  d.remeshings = static_cast<double>(state.remeshing.count);
+  d.remeshing_energy = state.remeshing.energy * scales_.energy;
   if (vesicle.tension.size() > 0)
   {
     const Eigen::VectorXd tension =

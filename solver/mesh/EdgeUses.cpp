@@ -38,4 +38,18 @@ int EdgeUses::find(int a, int b) const
   return static_cast<int>(found - start_.begin());
 }
 
+std::vector<std::array<int, 3>> triangles_across(const Triangles& triangles)
+{
+  const EdgeUses edges(triangles);
+  std::vector<std::array<int, 3>> across(triangles.rows());
+  for (int e = 0; e < edges.size(); ++e)
+    for (const EdgeUse& use : edges[e])
+      for (int k = 0; k < 3; ++k)
+        if (const int corner = triangles(use.triangle, k); corner != use.a && corner != use.b)
+          across[use.triangle][k] = edges[e].front().triangle == use.triangle
+            ? edges[e].back().triangle
+            : edges[e].front().triangle;
+  return across;
+}
+
 }

@@ -4,6 +4,7 @@
 
 #include "solver/mesh/TriangleMesh.h"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -38,5 +39,8 @@ private:
   std::vector<EdgeUse> uses_;
   std::vector<int> start_;
 };
+
+/// Of a closed manifold mesh: the triangle over the edge opposite to each corner of each triangle.
+std::vector<std::array<int, 3>> triangles_across(const Triangles& triangles);
 
 }

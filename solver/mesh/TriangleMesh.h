@@ -15,6 +15,11 @@ using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 /// #triangles by 3 indices into Points, counter-clockwise seen from outside.
 using Triangles = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
+inline bool same_triangles(const Triangles& a, const Triangles& b)
+{
+  return a.rows() == b.rows() && a == b;
+}
+
 struct TriangleMesh
 {
   Points points;

@@ -7,7 +7,6 @@
 #include "solver/membrane/BendingScheme.h"
 #include "solver/mesh/TriangleMesh.h"
 #include "solver/mesh/shapes/ShapeRequest.h"
-#include "solver/surface/NodeMotionKind.h"
 #include "solver/surface/SurfaceBasis.h"
 
 #include <array>
@@ -82,7 +81,12 @@ struct Scene
   using Basis = SurfaceBasis;
   using Bending = BendingScheme;
   using Integrator = vesicle::Integrator;
-  using MeshMotion = NodeMotionKind;
+  enum class MeshMotion
+  {
+    equidistribute, ///< vertices spread by the membrane's curvature
+    adaptive,       ///< the same, and laid anew where they no longer hold the shape
+    material        ///< with the lipids
+  };
   using Scheme = vesicle::Scheme;
   struct Accuracy
   {
@@ -91,7 +95,9 @@ struct Scene
     Basis basis = Basis::loop;
     Bending bending = Bending::variational;
     Integrator integrator = Integrator::imex_midpoint;
-    MeshMotion mesh_motion = MeshMotion::normal;
+    MeshMotion mesh_motion = MeshMotion::equidistribute;
+    /// Of meshes that are laid anew; empty: the start's, and four times as many.
+    std::optional<int> least_triangles, most_triangles;
     int quadrature = 3;              ///< points a triangle of the regular rule: 1, 3, 6 or 12
     double linear_tolerance = 1e-10; ///< relative residual of the linear solves
   } accuracy;

@@ -44,7 +44,8 @@ inline constexpr std::array integrator_names{
 };
 
 inline constexpr std::array mesh_motion_names{
-  NamedChoice{ "equidistribute", Scene::MeshMotion::normal },
+  NamedChoice{ "equidistribute", Scene::MeshMotion::equidistribute },
+  NamedChoice{ "adaptive", Scene::MeshMotion::adaptive },
   NamedChoice{ "material", Scene::MeshMotion::material },
 };
 

@@ -268,6 +268,20 @@ void apply_preset(const SceneDocument& document, Scene& scene)
     scene.time.tolerance = Scene::preset_tolerance(preset);
 }
 
+void check_adaptive(const TableReader& table, const Scene::Accuracy& accuracy)
+{
+  const bool adaptive = accuracy.mesh_motion == Scene::MeshMotion::adaptive;
+  if (adaptive && accuracy.basis != Scene::Basis::loop)
+    table.fail("mesh_motion", "lays meshes anew on Loop's surface only", "basis = \"loop\"");
+  for (const char* key : { "least_triangles", "most_triangles" })
+    if (!adaptive && table.has(key))
+      table.fail(key, "goes with meshes that are laid anew", "mesh_motion = \"adaptive\"");
+  if (accuracy.least_triangles && accuracy.most_triangles &&
+    *accuracy.least_triangles > *accuracy.most_triangles)
+    table.fail("most_triangles", "are fewer than least_triangles",
+      fmt::format("an integer >= {}", *accuracy.least_triangles));
+}
+
 void check_accuracy(const TableReader& table, const Scene& scene)
 {
   const Scene::Accuracy& accuracy = scene.accuracy;
@@ -276,6 +290,7 @@ void check_accuracy(const TableReader& table, const Scene& scene)
   if (accuracy.bending != Scene::bending_of(accuracy.basis))
     table.fail("bending", "doesn't go with the basis",
       "\"cotan\" with basis \"linear\", \"variational\" with \"loop\"");
+  check_adaptive(table, accuracy);
 }
 
 SceneTable accuracy_table()
@@ -303,8 +318,15 @@ SceneTable accuracy_table()
       "of second or first order in time; \"imex-euler\" with the preset \"paper\""),
     key("mesh_motion", at(&Scene::accuracy, &Accuracy::mesh_motion),
       rules::Choice{ mesh_motion_names }, "",
-      "whether vertices spread by the membrane's curvature or move with its lipids; "
-      "\"material\" with the preset \"paper\""),
+      "whether vertices spread by the membrane's curvature or move with its lipids; \"adaptive\": "
+      "they spread, and the mesh is laid anew where it no longer holds the shape; \"material\" "
+      "with the preset \"paper\""),
+    key("least_triangles", at(&Scene::accuracy, &Accuracy::least_triangles),
+      rules::Integer{ triangle_count }, "", "of meshes that are laid anew; with \"adaptive\"")
+      .otherwise("those of the start mesh"),
+    key("most_triangles", at(&Scene::accuracy, &Accuracy::most_triangles),
+      rules::Integer{ triangle_count }, "", "of meshes that are laid anew; with \"adaptive\"")
+      .otherwise("four times those of the start mesh"),
     key("quadrature", at(&Scene::accuracy, &Accuracy::quadrature),
       rules::Integer{ quadrature_points }, "",
       "points a triangle of the regular rule; 6 with the preset \"accurate\""),

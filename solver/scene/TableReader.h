@@ -31,6 +31,8 @@ struct IntegerRule
   bool (*holds)(int);
   const char* allowed;
 };
+inline constexpr IntegerRule triangle_count{ [](int n) { return n >= 20 && n <= 5'000'000; },
+  "an integer from 20 (an icosahedron) to 5000000" };
 
 /// `v` at length 1; exactly `v` where it already is, so that what was written reads back bit for
 /// bit.

@@ -15,8 +15,6 @@ using Vesicle = Scene::Vesicle;
 
 constexpr NumberRule fraction{ [](double x) { return x > 0 && x <= 1; },
   "a number > 0 and <= 1 (1 is a sphere)" };
-constexpr IntegerRule triangle_count{ [](int n) { return n >= 20 && n <= 5'000'000; },
-  "an integer from 20 (an icosahedron) to 5000000" };
 constexpr IntegerRule degree{ [](int l) { return l >= 0; }, "an integer >= 0" };
 constexpr IntegerRule any_integer{ [](int) { return true; }, "an integer" };
 

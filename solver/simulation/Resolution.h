@@ -15,6 +15,7 @@ class Resolution
 public:
   Resolution(const Triangles& triangles, int points);
 
+  double disagreement(const Points& points) const { return rules_.energy(points).disagreement(); }
   /// What is to be said where the rules differ by more than `allowed`, with the place, in the points'
   /// units, and how many triangles are needed; empty if they don't.
   std::string complaint(const Points& points, double allowed) const;

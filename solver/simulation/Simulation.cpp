@@ -2,11 +2,11 @@
 
 #include "solver/Errors.h"
 #include "solver/Joined.h"
-#include "solver/dynamics/Evolution.h"
-#include "solver/dynamics/StateReport.h"
-#include "solver/mesh/MeshInspection.h"
+#include "solver/adaptation/AdaptedMesh.h"
+#include "solver/adaptation/SettledShape.h"
 #include "solver/simulation/Cost.h"
-#include "solver/simulation/Resolution.h"
+#include "solver/simulation/MeshAdaptation.h"
+#include "solver/simulation/SceneOnMesh.h"
 #include "solver/simulation/StartMesh.h"
 #include "solver/simulation/SystemOfScene.h"
 #include "solver/mesh/Preparation.h"
@@ -23,13 +23,6 @@ namespace
 std::string start_name(const Scene& scene)
 {
   return scene.vesicle.mesh_file ? scene.vesicle.mesh_file->string() : "start mesh";
-}
-
-std::optional<double> fixed_step(const Scene& scene, const Scales& scales)
-{
-  if (scene.time.step)
-    return *scene.time.step / scales.time();
-  return {};
 }
 
 // Nothing in the equations keeps a membrane from passing through itself, and what follows means
@@ -55,36 +48,103 @@ struct Simulation::Impl
   std::string notes;
   TriangleMesh start_mesh; ///< in the scene's units
   Scales scales;
-  Evolution evolution;
-  StateReport report;
+  OutputSchedule schedule;
+  std::optional<MeshAdaptation> adaptation;
+  std::unique_ptr<SceneOnMesh> on_mesh; ///< of the mesh asked for last
   DimensionlessNumbers numbers;
-  std::optional<Resolution> resolution; ///< made when it is first asked for
 
   Impl(const Scene& s, TriangleMesh mesh, const std::string& start_notes)
     : scene(s), notes(prepare_for_dynamics(mesh, start_name(s))), start_mesh(std::move(mesh)),
-      scales(scales_of(s, start_mesh)),
-      evolution(system_of(s, scales, start_mesh), stepper_settings_of(s), schedule_of(s),
-        scales.time(), fixed_step(s, scales)),
-      report(evolution.system(), scales),
-      numbers(dimensionless_numbers(s, scales, evolution.system()))
+      scales(scales_of(s, start_mesh)), schedule(schedule_of(s)), on_mesh(on(start_mesh)),
+      numbers(dimensionless_numbers(s, scales, on_mesh->evolution().system()))
   {
+    if (s.accuracy.mesh_motion == Scene::MeshMotion::adaptive)
+      adaptation.emplace(s, static_cast<int>(start_mesh.triangles.rows()));
     // What a shape's own notes say of its mesh isn't said twice.
     const bool told = !s.vesicle.mesh_file && !start_notes.empty();
     notes = lines({ told ? std::string() : check_smoothness(scene, start_mesh),
       check_units(numbers), start_notes, notes });
   }
 
+  std::unique_ptr<SceneOnMesh> on(const TriangleMesh& mesh) const
+  {
+    return std::make_unique<SceneOnMesh>(
+      scene, scales, mesh.triangles, static_cast<int>(mesh.points.rows()));
+  }
+  Evolution& start_evolution()
+  {
+    if (!same_triangles(on_mesh->triangles(), start_mesh.triangles))
+      on_mesh = on(start_mesh);
+    return on_mesh->evolution();
+  }
+  SceneOnMesh& at(const State& state)
+  {
+    const VesicleState& vesicle = state.vesicles[0];
+    if (!same_triangles(on_mesh->triangles(), vesicle.triangles))
+      on_mesh = on({ vesicle.points, vesicle.triangles });
+    return *on_mesh;
+  }
+  Evolution& evolution(const State& state) { return at(state).evolution(); }
+  std::shared_ptr<const SystemShape> shape(const State& state)
+  {
+    return evolution(state).stepper().shape(state);
+  }
+
   std::vector<Points> start_points() const { return { start_mesh.points / scales.length }; }
+
+  // None where no mesh fits better: as long as its mesh carries on, so does the run.
+  std::optional<State> laid_anew(const State& state, int triangles, const MeshFitness& old)
+  try
+  {
+    const auto before = shape(state);
+    const VesicleShape& vesicle = before->vesicles[0];
+    const AdaptedMesh mesh = adapted_mesh(*vesicle.surface, triangles);
+    auto fresh = on(mesh.mesh);
+    const Vesicle& there = fresh->evolution().system().vesicles[0];
+    const SettledShape settled = settle_shape(*there.space, there.terms, mesh,
+      { *vesicle.surface, vesicle.vesicle->terms, state.vesicles[0].target_area,
+        state.vesicles[0].target_volume });
+    const MeshFitness fitness = fresh->fitness(settled.points);
+    if (!adaptation->better(fitness, old) ||
+      find_self_crossing({ settled.points, mesh.mesh.triangles }))
+      return {};
+    State after = fresh->evolution().transferred(state, { settled.points });
+    after.remeshing = { state.remeshing.count + 1, state.step, fitness.disagreement,
+      state.remeshing.energy + settled.energy_change };
+    on_mesh = std::move(fresh);
+    return after;
+  }
+  catch (const NumericalError&)
+  {
+    return {};
+  }
+  catch (const InputError&) // of a mesh that can't carry the basis
+  {
+    return {};
+  }
+
+  State ready(const State& state)
+  {
+    if (!adaptation)
+      return state;
+    const MeshFitness fitness = at(state).fitness(state.vesicles[0].points);
+    const std::vector<int> counts = adaptation->wanted_triangles(state, fitness);
+    if (counts.empty())
+      return state;
+    for (const int triangles : counts)
+      if (const std::optional<State> after = laid_anew(state, triangles, fitness))
+        return *after;
+    State tried = state;
+    tried.remeshing.tried = state.step;
+    return tried;
+  }
 
   // Without bending a rough surface costs nothing, and flat triangles know no better.
   std::string unresolved(const State& state, double allowed)
   {
     if (!scene.membrane.bending_rigidity || scene.accuracy.basis == Scene::Basis::linear)
       return {};
-    const Points& points = state.vesicles[0].points;
-    if (!resolution)
-      resolution.emplace(start_mesh.triangles, static_cast<int>(points.rows()));
-    return resolution->complaint(points, allowed);
+    return at(state).resolution().complaint(state.vesicles[0].points, allowed);
   }
 };
 
@@ -94,7 +154,11 @@ Simulation::Simulation(const Scene& scene, TriangleMesh start, const std::string
     throw InputError(fmt::format("scene '{}' ends in an equilibrium, which isn't a run: vesicle "
                                  "equilibrium finds it, or set time.end to a time or \"steady\"",
       scene.name));
-  require_memory(scene, static_cast<double>(start.triangles.rows()));
+  const auto triangles = static_cast<int>(start.triangles.rows());
+  require_memory(scene,
+    scene.accuracy.mesh_motion == Scene::MeshMotion::adaptive
+      ? MeshAdaptation(scene, triangles).most_triangles()
+      : triangles);
   impl_ = std::make_unique<Impl>(scene, std::move(start), notes);
 }
 
@@ -115,11 +179,6 @@ const TriangleMesh& Simulation::start_mesh() const
   return impl_->start_mesh;
 }
 
-const Triangles& Simulation::triangles() const
-{
-  return impl_->start_mesh.triangles;
-}
-
 const std::string& Simulation::notes() const
 {
   return impl_->notes;
@@ -132,46 +191,69 @@ const DimensionlessNumbers& Simulation::numbers() const
 
 const OutputSchedule& Simulation::schedule() const
 {
-  return impl_->evolution.schedule();
+  return impl_->schedule;
 }
 
 State Simulation::instant()
 {
-  return impl_->evolution.instant(impl_->start_points());
+  return impl_->start_evolution().instant(impl_->start_points());
 }
 
 State Simulation::start()
 {
-  return impl_->evolution.start(impl_->start_points());
+  return impl_->start_evolution().start(impl_->start_points());
+}
+
+// All fields have as many rows as there are vertices, or none where they may.
+static bool fits(const State& state, Eigen::Index vertices)
+{
+  const auto has = [&](const auto& field, bool may_be_empty)
+  { return field.rows() == vertices || (may_be_empty && field.rows() == 0); };
+  const VesicleState& v = state.vesicles.front();
+  return has(state.preconditioner.points.front(), true) && has(v.points, false) &&
+    has(v.velocity, false) && has(v.node_velocity, false) && has(v.tension, true) &&
+    (has(v.stiff_force, true) || v.stiff_force.rows() == 3 * vertices);
+}
+
+// A mesh that dynamics take.
+static void require_whole(TriangleMesh mesh)
+{
+  const std::string name = "the mesh of the state to go on from";
+  if (mesh.triangles.size() == 0 || mesh.triangles.minCoeff() < 0 ||
+    mesh.triangles.maxCoeff() >= mesh.points.rows())
+    throw InputError(name + ": its triangles have corners that don't exist");
+  prepare_for_dynamics(mesh, name);
 }
 
 void Simulation::require_own(const State& state) const
 {
-  const Eigen::Index vertices = impl_->start_mesh.points.rows();
-  const auto fits = [&](const auto& field, bool may_be_empty)
-  { return field.rows() == vertices || (may_be_empty && field.rows() == 0); };
-  bool own = state.vesicles.size() == 1 && state.preconditioner.points.size() == 1 &&
-    fits(state.preconditioner.points.front(), true);
-  for (const VesicleState& v : state.vesicles)
-  {
-    own = own && fits(v.points, false) && fits(v.velocity, false) && fits(v.node_velocity, false) &&
-      fits(v.tension, true) && (fits(v.stiff_force, true) || v.stiff_force.rows() == 3 * vertices);
-  }
-  if (!own)
+  const TriangleMesh& start = impl_->start_mesh;
+  const bool one = state.vesicles.size() == 1 && state.preconditioner.points.size() == 1,
+             anew = one && impl_->adaptation && state.remeshing.count > 0;
+  if (!one || !fits(state, anew ? state.vesicles[0].points.rows() : start.points.rows()) ||
+    (!anew && !same_triangles(state.vesicles[0].triangles, start.triangles)))
   {
     throw InputError(fmt::format("{}: has {} vertices: it is not the mesh of the state to go on "
                                  "from; bring the old mesh back or start anew",
-      start_name(scene()), vertices));
+      start_name(scene()), start.points.rows()));
   }
+  if (anew)
+    require_whole({ state.vesicles[0].points, state.vesicles[0].triangles });
 }
 
-State Simulation::step(const State& state)
+State Simulation::ready(const State& state)
 {
+  return impl_->ready(state);
+}
+
+State Simulation::step(const State& before)
+{
+  const State state = ready(before);
   const auto stepped = [&]
   {
     try
     {
-      return impl_->evolution.step(state);
+      return impl_->evolution(state).step(state);
     }
     catch (const NumericalError& error)
     {
@@ -181,7 +263,7 @@ State Simulation::step(const State& state)
   State after = stepped();
   if (!schedule().due(after))
     return after;
-  require_no_crossing({ after.vesicles[0].points, triangles() }, after.time);
+  require_no_crossing({ after.vesicles[0].points, after.vesicles[0].triangles }, after.time);
   if (const std::string complaint = impl_->unresolved(after, lost); !complaint.empty())
     throw NumericalError(fmt::format("t = {}: {}.", after.time, complaint));
   return after;
@@ -197,17 +279,17 @@ bool Simulation::finished(const State& state)
 {
   if (impl_->scene.time.end)
     return state.time >= *impl_->scene.time.end;
-  return state.step > 0 && impl_->evolution.steady(state);
+  return state.step > 0 && impl_->evolution(state).steady(state);
 }
 
 Diagnostics Simulation::diagnose(const State& state)
 {
-  return impl_->report.diagnose(state, *impl_->evolution.stepper().shape(state), 0);
+  return impl_->at(state).report().diagnose(state, *impl_->shape(state), 0);
 }
 
 std::map<std::string, Eigen::MatrixXd> Simulation::fields(const State& state)
 {
-  auto fields = impl_->report.fields(state, *impl_->evolution.stepper().shape(state), 0);
+  auto fields = impl_->at(state).report().fields(state, *impl_->shape(state), 0);
   for (const auto& [name, values] : fields)
     if (!values.allFinite())
       throw NumericalError(
@@ -225,6 +307,11 @@ double Simulation::time(const State& state) const
 Points Simulation::points(const State& state) const
 {
   return state.vesicles[0].points * impl_->scales.length;
+}
+
+TriangleMesh Simulation::mesh(const State& state) const
+{
+  return { points(state), state.vesicles[0].triangles };
 }
 
 Points Simulation::points_between(const State& before, const State& after, double time) const

@@ -28,7 +28,6 @@ public:
   const Scales& scales() const;
   /// In the scene's units.
   const TriangleMesh& start_mesh() const;
-  const Triangles& triangles() const;
   /// What was changed in the start mesh and what is to be said of it, for the user; empty if
   /// nothing.
   const std::string& notes() const;
@@ -41,9 +40,14 @@ public:
   State start();
   /// The same with nothing of a time step in it: the bending force is that of the shape.
   State instant();
-  /// Throws InputError unless the state is one of this mesh (a file's may have changed since).
+  /// Throws InputError unless the state is one of the start's mesh (a file's may have changed since), or
+  /// of any closed one where meshes are laid anew.
   void require_own(const State& state) const;
-  /// One accepted step. Throws NumericalError if there is none, or if at an output time the membrane
+  /// The state that the next step starts from: the same moment, laid on a new mesh where meshes are
+  /// adaptive and the old one no longer does (MeshAdaptation.h), otherwise the state itself. Of itself
+  /// it is itself.
+  State ready(const State& state);
+  /// One accepted step from ready(state). Throws NumericalError if there is none, or if at an output time the membrane
   /// passes through itself or its mesh knows the bending energy to 10% only; `state` is then still
   /// valid.
   State step(const State& state);
@@ -55,11 +59,13 @@ public:
 
   Diagnostics diagnose(const State& state);
 
-  /// Positions between two successive states by cubic Hermite interpolation, in the scene's units.
+  /// Positions between a state that is ready() and the next by cubic Hermite interpolation, in the
+  /// scene's units.
   /// `time` in the scene's units, between the two states' times.
   Points points_between(const State& before, const State& after, double time) const;
-  Points points(const State& state) const; ///< in the scene's units
-  double time(const State& state) const;   ///< in the scene's units
+  Points points(const State& state) const;     ///< in the scene's units
+  TriangleMesh mesh(const State& state) const; ///< in the scene's units
+  double time(const State& state) const;       ///< in the scene's units
 
   /// Point fields of a state in the scene's units, by the names of the output contract
   /// (Mean_Curvature, Gauss_Curvature, Laplacian_Mean_Curvature, Normals, Bending_Force, Tension,

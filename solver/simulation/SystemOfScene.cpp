@@ -49,14 +49,15 @@ MembraneTerms membrane_terms(const Scene& scene, const SurfaceSpace& space, cons
   return terms;
 }
 
-System system_of(const Scene& scene, const Scales& scales, const TriangleMesh& mesh)
+System system_of(const Scene& scene, const Scales& scales, const Triangles& triangles, int nodes)
 {
   const Scene::Accuracy& accuracy = scene.accuracy;
-  auto space = std::make_unique<SurfaceSpace>(accuracy.basis, curvature_of(accuracy),
-    mesh.triangles, static_cast<int>(mesh.points.rows()), accuracy.quadrature);
+  auto space = std::make_unique<SurfaceSpace>(
+    accuracy.basis, curvature_of(accuracy), triangles, nodes, accuracy.quadrature);
   Vesicle vesicle = make_vesicle(std::move(space), accuracy.quadrature);
   vesicle.conserved = accuracy.scheme != Scene::Scheme::paper;
-  vesicle.motion = accuracy.mesh_motion;
+  vesicle.motion = accuracy.mesh_motion == Scene::MeshMotion::material ? NodeMotionKind::material
+                                                                       : NodeMotionKind::normal;
   vesicle.terms = membrane_terms(scene, *vesicle.space, scales);
   if (scene.membrane.incompressible)
     vesicle.incompressibility = make_incompressibility(*vesicle.space);

@@ -18,8 +18,8 @@ double bond_number(const Scene::Gravity& gravity, const Scales& scales);
 /// The membrane's own terms, dimensionless.
 MembraneTerms membrane_terms(const Scene& scene, const SurfaceSpace& space, const Scales& scales);
 
-/// The scene's vesicle on the triangles of its start mesh, and the flow, dimensionless.
-System system_of(const Scene& scene, const Scales& scales, const TriangleMesh& mesh);
+/// The scene's vesicle on the triangles of a mesh of `nodes` vertices, and the flow, dimensionless.
+System system_of(const Scene& scene, const Scales& scales, const Triangles& triangles, int nodes);
 
 StepperSettings stepper_settings_of(const Scene& scene);
 OutputSchedule schedule_of(const Scene& scene);

@@ -25,9 +25,9 @@ Trajectory::Trajectory(Simulation& simulation, State start, int capacity)
 
 void Trajectory::advance()
 {
-  State next = simulation_.step(last_);
-  previous_ = std::move(last_);
-  last_ = std::move(next);
+  State ready = simulation_.ready(last_);
+  last_ = simulation_.step(ready);
+  previous_ = std::move(ready);
   finished_ = simulation_.finished(last_);
   if (simulation_.schedule().due(last_))
   {
@@ -95,11 +95,11 @@ void Trajectory::replay(double time)
 {
   const auto later =
     std::find_if(kept_.begin(), kept_.end(), [&](const State& state) { return state.time > time; });
-  replayed_before_ = *std::prev(later);
+  replayed_before_ = simulation_.ready(*std::prev(later));
   replayed_after_ = simulation_.step(*replayed_before_);
   while (replayed_after_->time < time)
   {
-    replayed_before_ = std::move(replayed_after_);
+    replayed_before_ = simulation_.ready(*replayed_after_);
     replayed_after_ = simulation_.step(*replayed_before_);
   }
 }

@@ -11,23 +11,22 @@
 namespace vesicle
 {
 
-/// Appends `count` numbers of 8 bytes each.
+/// Appends `count` numbers.
 template<class Number>
 void append_numbers(std::string& bytes, const Number* numbers, std::size_t count)
 {
-  static_assert(sizeof(Number) == 8);
-  const std::size_t begin = bytes.size();
+  const std::size_t begin = bytes.size(), size = sizeof(Number);
   if (count == 0)
   {
     return;
   }
-  bytes.resize(begin + 8 * count);
-  std::memcpy(bytes.data() + begin, numbers, 8 * count);
+  bytes.resize(begin + size * count);
+  std::memcpy(bytes.data() + begin, numbers, size * count);
   if constexpr (std::endian::native == std::endian::big)
   {
-    for (auto at = bytes.begin() + static_cast<long>(begin); at != bytes.end(); at += 8)
+    for (auto at = bytes.begin() + static_cast<long>(begin); at != bytes.end(); at += size)
     {
-      std::reverse(at, at + 8);
+      std::reverse(at, at + size);
     }
   }
 }

@@ -1,7 +1,7 @@
 #pragma once
 // The HDF5 run file: checkpoint and scalar time series of a run.
 //   /scene           text: the scene as TOML, every setting spelled out
-//   /triangles/vesicle_0   int32  #triangles × 3, and so on for each vesicle
+//   /triangles/vesicle_0   int32  #triangles × 3, of the start mesh, and so on for each vesicle
 //   /series          a table: one record an accepted step, its fields (double) the columns in
 //                    order; missing values hold the dataset's attribute `missing_value` (the lowest
 //                    double)

@@ -22,7 +22,7 @@ namespace vesicle
 {
 
 inline constexpr std::size_t run_file_head_size = 16384;
-inline constexpr std::uint64_t run_file_layout_version = 4; ///< of everything in the file
+inline constexpr std::uint64_t run_file_layout_version = 5; ///< of everything in the file
 
 /// Places are bytes from the file's beginning; each part begins where the one before ends.
 struct RunFileHead

@@ -38,6 +38,10 @@ const double* data_of(const Eigen::VectorXd& vector)
 {
   return vector.data();
 }
+const int* data_of(const Triangles& triangles)
+{
+  return triangles.data();
+}
 Shape shape_of_field(const std::int64_t&)
 {
   return {};
@@ -49,6 +53,10 @@ Shape shape_of_field(const double&)
 Shape shape_of_field(const Points& points)
 {
   return { static_cast<hsize_t>(points.rows()), 3 };
+}
+Shape shape_of_field(const Triangles& triangles)
+{
+  return { static_cast<hsize_t>(triangles.rows()), 3 };
 }
 Shape shape_of_field(const Eigen::VectorXd& vector)
 {
@@ -71,6 +79,10 @@ bool is_usable(const Eigen::VectorXd& vector)
 {
   return vector.allFinite();
 }
+bool is_usable(const Triangles&)
+{
+  return true; // whether they are a mesh is asked before they are used
+}
 
 [[noreturn]] void misshapen(const std::string& name)
 {
@@ -88,14 +100,17 @@ T* resized(T& value, const Shape& shape, const std::string& name)
   return &value;
 }
 
-double* resized(Points& points, const Shape& shape, const std::string& name)
+/// Points or triangles.
+template<class Number>
+Number* resized(Eigen::Matrix<Number, Eigen::Dynamic, 3, Eigen::RowMajor>& rows, const Shape& shape,
+  const std::string& name)
 {
   if (shape.size() != 2 || shape[1] != 3)
   {
     misshapen(name);
   }
-  points.resize(static_cast<Eigen::Index>(shape[0]), 3);
-  return points.data();
+  rows.resize(static_cast<Eigen::Index>(shape[0]), 3);
+  return rows.data();
 }
 
 double* resized(Eigen::VectorXd& vector, const Shape& shape, const std::string& name)
@@ -173,11 +188,7 @@ std::optional<std::uint64_t> first_place(const std::vector<Handle>& datasets)
 void read_triangles(hid_t group, const std::string& name, Triangles& triangles)
 {
   const Handle dataset = hdf5::open_dataset(group, name);
-  const Shape shape = hdf5::shape_of(dataset, name);
-  if (shape.size() != 2 || shape[1] != 3)
-    misshapen("triangles/" + name);
-  triangles.resize(static_cast<Eigen::Index>(shape[0]), 3);
-  hdf5::read(dataset, triangles.data(), name);
+  hdf5::read(dataset, resized(triangles, hdf5::shape_of(dataset, name), "triangles/" + name), name);
 }
 
 RunFile::Header read_header(hid_t file)

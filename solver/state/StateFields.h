@@ -16,7 +16,8 @@ inline std::string vesicle_group(std::size_t vesicle)
 }
 
 /// Calls visit(name, field) for every field, always in the same order; a name with a '/' is in the
-/// group before it. Fields are std::int64_t, double, Points or Eigen::VectorXd; const where `state`
+/// group before it. Fields are std::int64_t, double, Points, Triangles or Eigen::VectorXd;
+/// const where `state`
 /// is. The state has its vesicles already.
 template<class StateOrConst, class Visit>
 void for_each_field(StateOrConst& state, Visit&& visit)
@@ -30,10 +31,15 @@ void for_each_field(StateOrConst& state, Visit&& visit)
   visit("output", state.controller.output);
   visit("rejected", state.controller.rejected);
   visit("preconditioner_step", state.preconditioner.step);
+  visit("remeshings", state.remeshing.count);
+  visit("remeshing_tried", state.remeshing.tried);
+  visit("remeshing_disagreement", state.remeshing.disagreement);
+  visit("remeshing_energy", state.remeshing.energy);
   for (std::size_t v = 0; v < state.vesicles.size(); ++v)
   {
     auto& vesicle = state.vesicles[v];
     const std::string group = vesicle_group(v) + "/";
+    visit(group + "triangles", vesicle.triangles);
     visit(group + "points", vesicle.points);
     visit(group + "velocity", vesicle.velocity);
     visit(group + "node_velocity", vesicle.node_velocity);

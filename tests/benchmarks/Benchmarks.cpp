@@ -79,7 +79,8 @@ void Assembly(benchmark::State& state, Scene::Basis basis)
   scene.accuracy =
     Scene::preset(basis == Scene::Basis::loop ? Scene::Preset::balanced : Scene::Preset::fast);
   const TriangleMesh mesh = make_start_mesh(scene);
-  const System system = system_of(scene, scales_of(scene, mesh), mesh);
+  const System system =
+    system_of(scene, scales_of(scene, mesh), mesh.triangles, static_cast<int>(mesh.points.rows()));
   const SystemShape shape(system, { mesh.points });
   for (auto _ : state)
     benchmark::DoNotOptimize(mobilities(shape));

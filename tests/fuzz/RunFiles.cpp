@@ -49,8 +49,8 @@ struct SmallRun
     : scene(parse_scene(scene_text, "small.toml")), simulation(scene, make_start_mesh(scene))
   {
     const test::TemporaryFolder folder;
-    const RunFile::Header header{ write_scene(scene), { simulation.triangles() }, 1, 1, 1, 1,
-      { "time", "area" } };
+    const RunFile::Header header{ write_scene(scene), { simulation.start_mesh().triangles }, 1, 1,
+      1, 1, { "time", "area" } };
     RunFile file = RunFile::create(folder / "run.h5", header);
     State state = simulation.start();
     closed.push_back(image_of(read_file(folder / "run.h5")));

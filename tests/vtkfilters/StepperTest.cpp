@@ -127,6 +127,55 @@ TEST(Stepper, SameTimeSameShapeForwardAndBack)
   EXPECT_EQ(stepper->GetOutput()->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()), 1);
 }
 
+TEST(Stepper, DeliversMeshesThatAreLaidAnew)
+{
+  vtkNew<vtkVesicleStepper> stepper;
+  stepper->SetScene(read_scene(VESICLE_SOURCE_DIR "/data/scenes/tadpole.toml",
+    { "vesicle.triangles=120", "accuracy.most_triangles=320", "time.end=0.05" }));
+  const Points start = points_at(stepper, 0), end = points_at(stepper, 0.05);
+  EXPECT_GT(end.rows(), start.rows());
+  for (const double time : { 0.05, 0.033, 0.0 })
+  {
+    stepper->UpdateTimeStep(time);
+    vtkPolyData* output = stepper->GetOutput();
+    vtkPointData* arrays = output->GetPointData();
+    ASSERT_GT(arrays->GetNumberOfArrays(), 5);
+    for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+      EXPECT_EQ(arrays->GetArray(i)->GetNumberOfTuples(), output->GetNumberOfPoints()) << time;
+    EXPECT_EQ(output->GetNumberOfPolys(), 2 * output->GetNumberOfPoints() - 4) << time;
+  }
+  EXPECT_EQ(points_at(stepper, 0), start);
+}
+
+// What the start shape had at its points means nothing at others.
+TEST(Stepper, AMeshLaidAnewHasNoneOfTheStartsArrays)
+{
+  vtkNew<vtkVesicleSource> source;
+  source->SetShapeByName("prolate");
+  source->SetReducedVolume(0.9);
+  source->SetTriangles(120);
+  source->Update();
+  vtkNew<vtkPolyData> marked;
+  marked->ShallowCopy(source->GetOutput());
+  vtkNew<vtkIntArray> marks;
+  marks->SetName("Marks");
+  marks->SetNumberOfValues(marked->GetNumberOfPoints());
+  marks->FillValue(1);
+  marked->GetPointData()->AddArray(marks);
+  vtkNew<vtkVesicleStepper> stepper;
+  stepper->SetInputData(marked);
+  stepper->SetBondNumber(200);
+  stepper->SetEndTime(0.05);
+  stepper->SetOutputEvery(0.01);
+  stepper->AddOverride("accuracy.mesh_motion=adaptive");
+  stepper->AddOverride("accuracy.most_triangles=320");
+  stepper->UpdateTimeStep(0);
+  EXPECT_TRUE(stepper->GetOutput()->GetPointData()->HasArray("Marks"));
+  stepper->UpdateTimeStep(0.05);
+  ASSERT_GT(stepper->GetOutput()->GetNumberOfPoints(), marked->GetNumberOfPoints());
+  EXPECT_FALSE(stepper->GetOutput()->GetPointData()->HasArray("Marks"));
+}
+
 TEST(Stepper, ThinnedOutMemoryIsReplayed)
 {
   vtkNew<vtkVesicleStepper> stepper, forgetful;

@@ -24,7 +24,7 @@ void solve(const vesicle::Scene& scene, Simulation& simulation, vtkPolyData* out
 {
   const vesicle::State state = simulation.instant();
   vesicle::use_double_points(output);
-  output->SetPolys(vesicle::to_cells(simulation.triangles()));
+  output->SetPolys(vesicle::to_cells(simulation.start_mesh().triangles));
   vesicle::add_fields(simulation.fields(state), scene, output);
   const vesicle::Diagnostics numbers = simulation.diagnose(state);
   vtkFieldData* to = output->GetFieldData();

@@ -11,10 +11,12 @@
 #include "solver/scene/SceneFile.h"
 #include "solver/simulation/Trajectory.h"
 
+#include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTimeStamp.h"
@@ -185,8 +187,14 @@ struct vtkVesicleStepper::Internals
     {
       output->ShallowCopy(vesicle::membrane_of(start));
     }
+    const vesicle::VesicleState& vesicle = moment.before->vesicles[0];
+    if (start && !vesicle::same_triangles(vesicle.triangles, this->Sim->start_mesh().triangles))
+    {
+      output->GetPointData()->Initialize(); // the start's, on a mesh laid anew
+      output->GetCellData()->Initialize();
+    }
     output->SetPoints(vesicle::to_vtk_points(points_at(*this->Sim, moment)));
-    output->SetPolys(vesicle::to_cells(this->Sim->triangles()));
+    output->SetPolys(vesicle::to_cells(vesicle.triangles));
     vesicle::add_fields(fields_at(*this->Sim, moment), this->CurrentScene, output);
     this->AddNumbers(moment, output);
     output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), moment.time);

@@ -122,11 +122,15 @@ void Collapses::apply()
     {
       mesh_.points.row(points) = mesh_.points.row(i).eval();
       mesh_.normals.row(points) = mesh_.normals.row(i).eval();
+      if (mesh_.sizes.size() > 0)
+        mesh_.sizes[points] = mesh_.sizes[i];
       number[i] = points++;
     }
   }
   mesh_.points.conservativeResize(points, Eigen::NoChange);
   mesh_.normals.conservativeResize(points, Eigen::NoChange);
+  if (mesh_.sizes.size() > 0)
+    mesh_.sizes.conservativeResize(points);
   const auto renumbered = [&](int i) { return number[goal_[i] < 0 ? i : goal_[i]]; };
   std::ranges::transform(mesh_.references, mesh_.references.begin(), renumbered);
   int triangles = 0;

@@ -15,12 +15,13 @@ constexpr double least_part = 0.25;
 
 /// Near the middle of the edge's cubic Hermite arc, whose tangents at the ends are the edge itself
 /// less its normal part: also where the surface turns by 90° and more.
-PointWithNormal middle_of_edge(const EditableMesh& mesh, const CurvedSurface& surface, int a, int b)
+PointWithNormal middle_of_edge(
+  const EditableMesh& mesh, const SurfaceProjection& surface, int a, int b)
 {
   const Vector3 edge = mesh.point(b) - mesh.point(a);
   const Vector3 bulge =
     edge.dot(mesh.normal(b)) * mesh.normal(b) - edge.dot(mesh.normal(a)) * mesh.normal(a);
-  return surface.project_along((mesh.point(a) + mesh.point(b)) / 2 + bulge / 8,
+  return surface((mesh.point(a) + mesh.point(b)) / 2 + bulge / 8,
     (mesh.normal(a) + mesh.normal(b)).normalized());
 }
 
@@ -32,7 +33,7 @@ struct Split
 
 /// Which edges are cut, and where: no two at one triangle.
 std::vector<Split> choose_splits(const EditableMesh& mesh, const EdgeUses& edges,
-  const CurvedSurface& surface, double length, int most)
+  const SurfaceProjection& surface, double length, int most)
 {
   std::vector<Split> chosen;
   std::vector<bool> changed(mesh.triangles.rows(), false);
@@ -48,7 +49,7 @@ std::vector<Split> choose_splits(const EditableMesh& mesh, const EdgeUses& edges
     const PointWithNormal middle = middle_of_edge(mesh, surface, a, b);
     const double nearer =
       std::min((middle.point - mesh.point(a)).norm(), (middle.point - mesh.point(b)).norm());
-    if (nearer > least_part * mesh.length(a, b))
+    if (nearer > least_part * (mesh.point(b) - mesh.point(a)).norm())
     {
       changed[left] = changed[right] = true;
       chosen.push_back({ e, middle });
@@ -58,7 +59,7 @@ std::vector<Split> choose_splits(const EditableMesh& mesh, const EdgeUses& edges
 }
 }
 
-int split_edges(EditableMesh& mesh, const CurvedSurface& surface, double length, int most)
+int split_edges(EditableMesh& mesh, const SurfaceProjection& surface, double length, int most)
 {
   const EdgeUses edges(mesh.triangles);
   const std::vector<Split> splits = choose_splits(mesh, edges, surface, length, most);
@@ -67,11 +68,16 @@ int split_edges(EditableMesh& mesh, const CurvedSurface& surface, double length,
   const int count = static_cast<int>(splits.size());
   mesh.points.conservativeResize(point + count, Eigen::NoChange);
   mesh.normals.conservativeResize(point + count, Eigen::NoChange);
+  if (mesh.sizes.size() > 0)
+    mesh.sizes.conservativeResize(point + count);
   mesh.triangles.conservativeResize(triangle + 2 * count, Eigen::NoChange);
   for (const auto& [edge, middle] : splits)
   {
     mesh.points.row(point) = middle.point;
     mesh.normals.row(point) = middle.normal;
+    if (mesh.sizes.size() > 0)
+      mesh.sizes[point] =
+        (mesh.sizes[edges[edge].front().a] + mesh.sizes[edges[edge].front().b]) / 2;
     for (const EdgeUse& use : edges[edge])
     {
       auto near_a = mesh.triangles.row(use.triangle), near_b = mesh.triangles.row(triangle++);
@@ -84,7 +90,7 @@ int split_edges(EditableMesh& mesh, const CurvedSurface& surface, double length,
   return count;
 }
 
-void refine(EditableMesh& mesh, const CurvedSurface& surface)
+void refine(EditableMesh& mesh, const SurfaceProjection& surface)
 {
   const EdgeUses edges(mesh.triangles);
   const int points = static_cast<int>(mesh.points.rows());

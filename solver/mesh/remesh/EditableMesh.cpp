@@ -13,6 +13,12 @@ bool EditableMesh::faces_outward(int a, int b, int c) const
   return area.dot(normal(a) + normal(b) + normal(c)) > 0;
 }
 
+double EditableMesh::length(int a, int b) const
+{
+  const double length = (points.row(a) - points.row(b)).norm();
+  return sizes.size() == 0 ? length : 2 * length / (sizes[a] + sizes[b]);
+}
+
 double EditableMesh::steepness(int a, int b) const
 {
   const Vector3 edge = (point(b) - point(a)).normalized();

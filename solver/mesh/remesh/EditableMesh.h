@@ -16,10 +16,13 @@ struct EditableMesh
   Triangles triangles;
   /// Vertices that anything else refers to: kept up to date as vertices are removed and renumbered.
   std::vector<int> references;
+  /// The edge length that is wanted at each vertex; empty: 1 everywhere.
+  Eigen::VectorXd sizes;
 
   Vector3 point(int i) const { return points.row(i); }
   Vector3 normal(int i) const { return normals.row(i); }
-  double length(int a, int b) const { return (points.row(a) - points.row(b)).norm(); }
+  /// In the length that is wanted there.
+  double length(int a, int b) const;
   /// Does triangle (a, b, c) face outward, as its corners' normals do?
   bool faces_outward(int a, int b, int c) const;
   /// How far the edge between a and b leaves the surface: the larger sine of its angles with the

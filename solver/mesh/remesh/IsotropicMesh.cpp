@@ -50,6 +50,7 @@ public:
 private:
   int triangles() const { return static_cast<int>(mesh_.triangles.rows()); }
   void split_and_collapse(double length);
+  int split(double length, int most = std::numeric_limits<int>::max());
   bool split_some(int most);
   bool collapse_some(int most);
 
@@ -59,10 +60,19 @@ private:
   double edge_; ///< mean edge length wanted
 };
 
+int IsotropicRemeshing::split(double length, int most)
+{
+  return split_edges(
+    mesh_,
+    [&](const Vector3& x, const Vector3& direction)
+    { return smoother_.project_along(x, direction); },
+    length, most);
+}
+
 void IsotropicRemeshing::split_and_collapse(double length)
 {
   for (int pass = 0; pass < split_passes; ++pass)
-    split_edges(mesh_, smoother_.surface(), long_edge * length);
+    split(long_edge * length);
   while (collapse_edges(mesh_, short_edge * length, long_edge * length) > 0)
   {
   }
@@ -83,7 +93,7 @@ void IsotropicRemeshing::equalise(double start)
 
 bool IsotropicRemeshing::split_some(int most)
 {
-  return split_edges(mesh_, smoother_.surface(), 0, most) > 0;
+  return split(0, most) > 0;
 }
 
 bool IsotropicRemeshing::collapse_some(int most)

@@ -84,11 +84,11 @@ std::optional<EditableMesh> projected_mesh(const SurfaceSmoother& smoother, int 
   if (std::abs(count - triangles) > allowed_deviation * triangles)
     return std::nullopt;
   EditableMesh mesh{ sphere.directions * image.transpose(), sphere.directions, sphere.triangles,
-    first_nearest(sphere, image, smoother) };
+    first_nearest(sphere, image, smoother), {} };
   for (int i = 0; i < mesh.points.rows(); ++i)
   {
     const Vector3 x = mesh.points.row(i);
-    const PointWithNormal there = smoother.surface().project_along(x, x.normalized());
+    const PointWithNormal there = smoother.project_along(x, x.normalized());
     mesh.points.row(i) = there.point;
     mesh.normals.row(i) = there.normal;
   }

@@ -42,9 +42,11 @@ int coarse_count(int triangles, int refinements)
 
 void refine_and_smooth(EditableMesh& mesh, const SurfaceSmoother& smoother, int refinements)
 {
+  const SurfaceProjection surface = [&](const Vector3& x, const Vector3& direction)
+  { return smoother.project_along(x, direction); };
   for (int level = 0; level < refinements; ++level)
   {
-    refine(mesh, smoother.surface());
+    refine(mesh, surface);
     for (int pass = 0; pass < smoothing_passes; ++pass)
       smoother.smooth(mesh);
   }

@@ -92,7 +92,7 @@ Eigen::VectorXd steepest(const EditableMesh& mesh)
 SurfaceSmoother::SurfaceSmoother(const TriangleMesh& input, int triangles)
   : surface_(input, equilateral_edge(flat_area(input), triangles) / pieces_per_edge),
     samples_(surface_.samples()), input_{ input.points, surface_.vertex_normals(), input.triangles,
-      {} }
+      {}, {} }
 {
   for (const CurvedSurface::Sample& sample : samples_)
   {

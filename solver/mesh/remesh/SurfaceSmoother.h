@@ -18,7 +18,10 @@ public:
   /// For meshes of up to `triangles` triangles. `input`: closed, outward, of size about 1.
   SurfaceSmoother(const TriangleMesh& input, int triangles);
 
-  const CurvedSurface& surface() const { return surface_; }
+  PointWithNormal project_along(const Vector3& x, const Vector3& direction) const
+  {
+    return surface_.project_along(x, direction);
+  }
   const std::vector<CurvedSurface::Sample>& samples() const { return samples_; }
   double area() const { return area_; }
   /// The input itself. The references of a mesh are for each of the surface's samples the nearest

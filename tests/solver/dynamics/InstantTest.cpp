@@ -41,8 +41,7 @@ Points flow_at(Simulation& simulation, const State& state, const Points& points)
   if (fields.contains("Gravity_Force"))
     forces += fields.at("Gravity_Force");
   const Scene& scene = simulation.scene();
-  const FlowField field = membrane_flow(
-    { simulation.points(state), simulation.triangles() }, scene.accuracy.basis, forces);
+  const FlowField field = membrane_flow(simulation.mesh(state), scene.accuracy.basis, forces);
   Points velocity = field.at(points).velocity / scene.fluid.viscosity;
   if (scene.flow)
     velocity += scene.flow->velocities(points);

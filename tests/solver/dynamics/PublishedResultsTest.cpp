@@ -352,7 +352,7 @@ TEST(Integrator, IsOfSecondOrder)
         { preset, "vesicle.triangles=320", "vesicle.reduced_volume=0.9", "gravity.bond_number=20",
           "time.end=0.4", "time.output_every=0.4", "time.step=" + std::to_string(dt) });
       shape[i] = history.last.vesicles[0].points;
-      triangles = history.simulation->triangles();
+      triangles = history.simulation->start_mesh().triangles;
     }
     const double e0 = normal_distance(shape[0], shape[1], triangles),
                  e1 = normal_distance(shape[1], shape[2], triangles),

@@ -27,6 +27,12 @@ public:
     points.resize(vertices_, 3);
     fill(points.data(), points.size());
   }
+  void operator()(const std::string&, Triangles& triangles)
+  {
+    triangles.resize(2 * vertices_ - 1, 3); // an odd number of bytes of eight
+    for (int& corner : triangles.reshaped())
+      corner = static_cast<int>(random_() % 1000);
+  }
   void operator()(const std::string&, Eigen::VectorXd& vector)
   {
     vector.resize(vertices_);
