@@ -311,8 +311,8 @@ SceneTable accuracy_table()
       .followed_by([](const SceneDocument&, Scene& scene)
         { scene.accuracy.bending = Scene::bending_of(scene.accuracy.basis); }),
     key("bending", at(&Scene::accuracy, &Accuracy::bending), rules::Choice{ bending_names }, "",
-      "scheme of the bending force: \"cotan\" with basis \"linear\", \"variational\" with "
-      "\"loop\""),
+      "scheme of the bending force: the basis decides, \"cotan\" goes with \"linear\", "
+      "\"variational\" with \"loop\"; the other one is refused"),
     key("integrator", at(&Scene::accuracy, &Accuracy::integrator),
       rules::Choice{ integrator_names }, "",
       "of second or first order in time; \"imex-euler\" with the preset \"paper\""),
