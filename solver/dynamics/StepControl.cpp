@@ -37,6 +37,9 @@ std::string reason_to_reject(const StepReport& r, const StepLimits& limits)
   if (!(r.energy_rise <= limits.energy_rise))
     return fmt::format("bending energy rises by {:.1e} of it in a fluid at rest, over {:.1e}",
       r.energy_rise, limits.energy_rise);
+  if (!(r.energy_jump <= limits.energy_jump))
+    return fmt::format("bending energy rises by {:.0f}% of it in one step, over {:.0f}%",
+      100 * r.energy_jump, 100 * limits.energy_jump);
   return {};
 }
 

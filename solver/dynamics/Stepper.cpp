@@ -54,6 +54,23 @@ double energy(const SystemShape& shape)
 
 }
 
+// By how much a membrane's energy rises, in its own or, if that is less, a sphere's bending energy.
+static double largest_jump(const SystemShape& before, const SystemShape& after)
+{
+  constexpr double sphere = 8 * std::numbers::pi;
+  double largest = 0;
+  for (std::size_t v = 0; v < before.vesicles.size(); ++v)
+  {
+    const Vesicle& vesicle = *before.vesicles[v].vesicle;
+    if (!vesicle.has_energy())
+      continue;
+    const double from = vesicle.energy(*before.vesicles[v].surface),
+                 to = vesicle.energy(*after.vesicles[v].surface);
+    largest = std::max(largest, (to - from) / std::max(from, sphere));
+  }
+  return largest;
+}
+
 std::vector<Points> points_of(const State& state)
 {
   std::vector<Points> points;
@@ -273,8 +290,12 @@ void Stepper::restore_area_and_volume(State& after, const SystemShape& start, St
     report.constraint_left += removed.left; // of all: a sum keeps a NaN
   }
   report.finite = finite();
-  if (report.finite && system_.only_relaxes())
+  if (!report.finite)
+    return;
+  if (system_.only_relaxes())
     report.energy_rise = energy(*shape(after)) / energy(start) - 1;
+  else
+    report.energy_jump = largest_jump(start, *shape(after));
 }
 
 }

@@ -35,6 +35,7 @@ TEST(StepControl, RejectsAndSaysWhy)
   EXPECT_NE(
     reason([](StepReport& r) { r.constraint_left = 1e-8; }).find("restored"), std::string::npos);
   EXPECT_NE(reason([](StepReport& r) { r.energy_rise = 2e-6; }).find("energy"), std::string::npos);
+  EXPECT_NE(reason([](StepReport& r) { r.energy_jump = 0.3; }).find("30%"), std::string::npos);
   EXPECT_NE(reason([](StepReport& r) { r.error = std::nan(""); }), "");
 }
 
