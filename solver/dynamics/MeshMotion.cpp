@@ -73,21 +73,25 @@ Points sliding_velocity(const VesicleLoads& loads, const AdjacencyList& neighbou
   // The mobility of a force on an edge's length of membrane, in edges: 1/(4k) at the shortest wave
   // k = π/h is h/13; a multiple moves the mesh as far as the steps allow.
   constexpr double mobility_in_edges = 0.125;
-  // K is the Gauss–Newton part of the energy's second variation. Along the surface the rest is about
-  // as large, and a step that is implicit in K alone shakes the mesh, and the forces with it, as hard
-  // as the step control lets it. Nothing is lost by more: that motion has no accuracy to keep.
-  constexpr double implicitness = 4;
   const Surface& surface = loads.surface();
   const NodeMotion& motion = loads.motion();
   const Eigen::VectorXd parameters = motion.parameters(flat(velocity));
   const double released = -loads.gradient().dot(motion.velocity(parameters)),
                edge = std::sqrt(surface.area / static_cast<double>(surface.vertices.rows()));
   const Points along_normals = normal_motion(surface, motion, velocity, parameters);
-  const Points otherwise = reference.rows() > 0 ? Points(along_normals - reference) : along_normals;
+  // The normal motion counts once: as often as the mesh's own it would have the mesh run ahead of a
+  // change of shape that hasn't come.
+  Points otherwise = along_normals;
+  if (reference.rows() > 0)
+  {
+    const Points before =
+      normal_motion(surface, motion, reference, motion.parameters(flat(reference)));
+    otherwise -= before + mesh_implicitness * (reference - before);
+  }
   const Points wanted = relaxation(surface, neighbours, velocity, scene_rate);
   return along_normals +
-    rows_of_three(tangential_motion(loads, flat(wanted), flat(otherwise), released,
-      implicitness * tau, mobility_in_edges * edge));
+    rows_of_three(tangential_motion(
+      loads, flat(wanted), flat(otherwise), released, tau, mobility_in_edges * edge));
 }
 
 }

@@ -63,7 +63,7 @@ public:
     for (Eigen::Index i = 0; i < n; ++i)
       twice.segment<2>(2 * i).setConstant(weight_[i]);
     factors_.compute(SymmetricMatrix(SparseMatrix(X_.transpose()) * twice.asDiagonal() * X_ +
-      2 * tau * (SparseMatrix(along.transpose()) * along)));
+      2 * mesh_implicitness * tau * (SparseMatrix(along.transpose()) * along)));
     if (factors_.info() != Eigen::Success)
       throw NumericalError("the problem of the tangential motion is singular");
   }
@@ -119,7 +119,7 @@ private:
   bool stiff() const { return loads_.stiff() && tau_ > 0; }
   Eigen::VectorXd apply(const Eigen::VectorXd& d) const
   {
-    return weighted(d) + stiffness(spread(T_, d));
+    return weighted(d) + mesh_implicitness * stiffness(spread(T_, d));
   }
   Eigen::VectorXd precondition(const Eigen::VectorXd& r) const
   {

@@ -7,13 +7,19 @@
 namespace vesicle
 {
 
+/// How implicit the motion along the surface is, s. K is the Gauss–Newton part of the energy's second
+/// variation; along the surface the rest is as large or larger, and a step that is implicit in K alone
+/// shakes the mesh, and the forces with it, as hard as the step control lets it. Nothing is lost by
+/// more: that motion has no accuracy to keep.
+inline constexpr double mesh_implicitness = 10;
+
 /// Tangential velocities t at the vertices, 3N, that minimise for an implicit time τ
-///   ½ Σ_i m_i |t_i − wanted_i|²/β + g·P⁻¹t + ½ τ P⁻¹(t + otherwise)·K P⁻¹(t + otherwise)
+///   ½ Σ_i m_i |t_i − wanted_i|²/β + (g + τ K P⁻¹otherwise)·P⁻¹t + ½ s τ P⁻¹t·K P⁻¹t
 /// with a·P⁻¹t = v·P⁻¹t = 0: where the mesh may move freely it does as wanted, where that costs
 /// energy it doesn't, and it slides down the energy's own gradient. `otherwise`: how else the
-/// vertices move, less the velocities that g is known to follow already, 3N; a translation doesn't
-/// count. What is left of an energy that rises is cut to half of `released`, the rate at which the
-/// normal motion gives energy away. β, a length over the viscosity, is the mobility of the mesh.
+/// vertices move, less what g is known to follow already, 3N; a translation doesn't count. What is
+/// left of an energy that rises is cut to half of `released`, the rate at which the normal motion
+/// gives energy away. β, a length over the viscosity, is the mobility of the mesh.
 Eigen::VectorXd tangential_motion(const VesicleLoads& loads, const Eigen::VectorXd& wanted,
   const Eigen::VectorXd& otherwise, double released, double tau, double beta);
 

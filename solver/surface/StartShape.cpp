@@ -24,12 +24,8 @@ namespace
 {
 // Of the bending energy of a shape, beyond which its mesh doesn't hold it.
 constexpr double allowed_energy_error = 0.01;
-// Error of a mesh that needs no grading. Fine ones go without up to more: from graded meshes of 1,280
-// triangles oblates of .5 and .6 creep in steps of 1e-3, from even ones they take 72 and 60 to rest.
-double held(int triangles)
-{
-  return triangles < 1000 ? 1e-3 : 0.1;
-}
+// Error of a mesh that needs no grading.
+constexpr double held = 1e-3;
 // More aren't tried to find out how many hold a shape.
 constexpr int most_triangles_sought = 2560;
 constexpr double allowed_volume_error = 1e-6;
@@ -70,7 +66,7 @@ public:
   {
     SphereMesh even = uniform_mesh(surface, triangles, symmetry);
     const bool of_revolution = symmetry != Symmetry::none && symmetry != Symmetry::half_turns;
-    if (!of_revolution || loop_error(surface, symmetry)(even) <= held(triangles))
+    if (!of_revolution || loop_error(surface, symmetry)(even) <= held)
       return even;
     return loop_mesh(surface, triangles, symmetry);
   }

@@ -13,7 +13,7 @@ namespace vesicle
 
 /// The shape whose surface has the reduced volume asked for, to 1e-12, and the volume of the unit
 /// sphere (r0 = 1). Meshes are even, but those of surfaces of revolution whose bending energy Loop's
-/// surface would miss by more than 1e-3, or from 1,000 triangles on by .1: they have small triangles where the shape is bent
+/// surface would miss by more than 1e-3: they have small triangles where the shape is bent
 /// (GradedMesh.h). Where Loop's surface can't be as round as asked for, it is as round as it can be:
 /// 80 triangles have a reduced volume of at most 1 − 4e-6. Throws InputError.
 TriangleMesh make_start_shape(const ShapeRequest& request, SurfaceBasis basis);
