@@ -261,7 +261,8 @@ State Simulation::step(const State& before)
     }
   };
   State after = stepped();
-  if (!schedule().due(after))
+  // What an adaptive mesh can't hold it loses within a step.
+  if (!schedule().due(after) && !impl_->adaptation)
     return after;
   require_no_crossing({ after.vesicles[0].points, after.vesicles[0].triangles }, after.time);
   if (const std::string complaint = impl_->unresolved(after, lost); !complaint.empty())

@@ -47,9 +47,9 @@ public:
   /// adaptive and the old one no longer does (MeshAdaptation.h), otherwise the state itself. Of itself
   /// it is itself.
   State ready(const State& state);
-  /// One accepted step from ready(state). Throws NumericalError if there is none, or if at an output time the membrane
-  /// passes through itself or its mesh knows the bending energy to 10% only; `state` is then still
-  /// valid.
+  /// One accepted step from ready(state). Throws NumericalError if there is none, or if at an output
+  /// time, or after any step where meshes are adaptive, the membrane passes through itself or its mesh
+  /// knows the bending energy to 10% only; `state` is then still valid.
   State step(const State& state);
   /// What is to be said of a state whose mesh knows the bending energy to 1% only: where, and how
   /// many triangles it needs; empty if it knows better. Places are in units of r0.
