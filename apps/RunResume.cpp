@@ -95,7 +95,7 @@ void require_same_mesh(
 {
   const auto& then = run.header().triangles;
   const Triangles& now = simulation.start_mesh().triangles;
-  if (then.size() != 1 || then[0].rows() != now.rows() || then[0] != now ||
+  if (then.size() != 1 || !same_triangles(then[0], now) ||
     simulation.scales().length != run.header().length_scale)
   {
     throw InputError(file.string() +

@@ -9,7 +9,6 @@
 #include "solver/mesh/SizingLaw.h"
 #include "solver/mesh/shapes/SphereTriangulations.h"
 #include "solver/surface/LoopEnergy.h"
-#include "solver/surface/SurfaceMeasures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,10 +52,7 @@ public:
   }
   double error(const TriangleMesh& mesh) const
   {
-    const LoopEnergy energy = loop_energy(mesh);
-    const SurfaceMeasures m = surface_measures(SurfaceBasis::loop, mesh);
-    return std::abs(energy.fine / energy_ - 1) + energy.disagreement() +
-      std::abs(reduced_volume(m.area, m.volume) / reduced_volume_ - 1);
+    return loop_error(mesh, energy_, reduced_volume_);
   }
 
 private:
@@ -89,7 +85,6 @@ public:
   }
   bool any() const { return merit_ > 0; }
   const PlacedMesh& best() const { return best_; }
-  double error() const { return error_; }
   bool good() const { return error_ <= good_error && angle_ >= good_angle; }
 
 private:
@@ -174,7 +169,7 @@ AdaptedMesh adapted_mesh(const Surface& surface, int triangles)
       graded_remeshing(original.limit(), original.edge_lengths(triangles), triangles));
   if (!choice.any())
     throw NumericalError("no mesh fits the surface");
-  return { mesh_of(choice.best(), original.limit()), choice.best().places, choice.error() };
+  return { mesh_of(choice.best(), original.limit()), choice.best().places };
 }
 
 }

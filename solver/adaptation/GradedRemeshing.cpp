@@ -66,7 +66,7 @@ void Remeshing::settle(const PlacedMesh& mesh)
     const LimitSurface::Point point = surface_.at(mesh.places[i]);
     mesh_.points.row(i) = point.position.transpose();
     mesh_.normals.row(i) = point.normal().transpose();
-    mesh_.sizes[i] = surface_.linear(mesh.places[i], edge_lengths_);
+    mesh_.sizes[i] = linear(mesh.places[i], surface_.mesh().triangles, edge_lengths_);
   }
 }
 

@@ -40,7 +40,7 @@ void spread(
   {
     const Points points = mesh_of(mesh, surface).points;
     for (int i = 0; i < count; ++i)
-      h[i] = surface.linear(mesh.places[i], edge_lengths);
+      h[i] = linear(mesh.places[i], surface.mesh().triangles, edge_lengths);
     const Points way = damping * towards_wanted(points, mesh.triangles, h);
     for (int i = 0; i < count; ++i)
     {

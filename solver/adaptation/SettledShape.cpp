@@ -85,13 +85,7 @@ Eigen::VectorXd longer_edges(
   const Triangles& triangles = original.surface.space->triangles();
   Eigen::VectorXd h = edge_lengths(surface);
   for (Eigen::Index i = 0; i < h.size(); ++i)
-  {
-    const SurfacePlace& place = mesh.places[i];
-    double there = 0;
-    for (int k = 0; k < 3; ++k)
-      there += place.weights[k] * old[triangles(place.element, k)];
-    h[i] = std::max(h[i], there);
-  }
+    h[i] = std::max(h[i], linear(mesh.places[i], triangles, old));
   return h;
 }
 
@@ -101,19 +95,6 @@ Points density(const Surface& surface, const Eigen::VectorXd& gradient)
   const SparseCholesky factors(
     SymmetricMatrix(mass_matrix(surface.space->table(), surface.points)));
   return factors.solve(rows_of_three(gradient));
-}
-
-// At places on a surface, of a nodal field. At extraordinary vertices it is taken beside them.
-Points at_places(const Basis& basis, const std::vector<SurfacePlace>& places, const Points& nodal)
-{
-  constexpr double beside = 1e-6;
-  std::vector<ParametricPoint> points;
-  for (const SurfacePlace& place : places)
-  {
-    const Vector3 w = (1 - 3 * beside) * place.weights + Vector3::Constant(beside);
-    points.push_back({ place.element, w[1], w[2], 0 });
-  }
-  return interpolate(basis.tabulate(points), nodal);
 }
 
 // What the old shape's gradient is on the new mesh.

@@ -29,10 +29,15 @@ const Resolution& SceneOnMesh::resolution()
   return *resolution_;
 }
 
-MeshFitness SceneOnMesh::fitness(const Points& points)
+const MeshFitness& SceneOnMesh::fitness(const Points& points)
 {
-  return { bends_ ? resolution().disagreement(points) : 0,
-    mesh_quality({ points, triangles_ }).min_angle_deg };
+  if (asked_.rows() != points.rows() || asked_ != points)
+  {
+    fitness_ = { bends_ ? resolution().disagreement(points) : 0,
+      mesh_quality({ points, triangles_ }).min_angle_deg };
+    asked_ = points;
+  }
+  return fitness_;
 }
 
 }

@@ -22,7 +22,8 @@ public:
   const StateReport& report() const { return report_; }
   /// Made when it is first asked for.
   const Resolution& resolution();
-  MeshFitness fitness(const Points& points);
+  /// That of the last shape asked for is kept.
+  const MeshFitness& fitness(const Points& points);
 
 private:
   Triangles triangles_;
@@ -31,6 +32,8 @@ private:
   Evolution evolution_;
   StateReport report_;
   std::optional<Resolution> resolution_;
+  Points asked_;
+  MeshFitness fitness_{};
 };
 
 }

@@ -214,12 +214,25 @@ SurfacePlace LimitSurface::nearest(const Vector3& x, SurfacePlace from) const
   return from;
 }
 
-double LimitSurface::linear(const SurfacePlace& place, const Eigen::VectorXd& nodal) const
+double linear(
+  const SurfacePlace& place, const Triangles& triangles, const Eigen::VectorXd& at_vertices)
 {
   double sum = 0;
   for (int k = 0; k < 3; ++k)
-    sum += place.weights[k] * nodal[mesh_.triangles(place.element, k)];
+    sum += place.weights[k] * at_vertices[triangles(place.element, k)];
   return sum;
+}
+
+Points at_places(const Basis& basis, const std::vector<SurfacePlace>& places, const Points& nodal)
+{
+  constexpr double beside = 1e-6;
+  std::vector<ParametricPoint> points;
+  for (const SurfacePlace& place : places)
+  {
+    const Vector3 w = (1 - 3 * beside) * place.weights + Vector3::Constant(beside);
+    points.push_back({ place.element, w[1], w[2], 0 });
+  }
+  return interpolate(basis.tabulate(points), nodal);
 }
 
 }

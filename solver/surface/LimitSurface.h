@@ -41,8 +41,6 @@ public:
   SurfacePlace moved(const SurfacePlace& from, const Vector3& displacement) const;
   /// The nearest point to x, by Gauss–Newton steps from a place near it.
   SurfacePlace nearest(const Vector3& x, SurfacePlace from) const;
-  /// A nodal scalar between the corners.
-  double linear(const SurfacePlace& place, const Eigen::VectorXd& nodal) const;
 
 private:
   static constexpr int depth = 6;
@@ -64,5 +62,12 @@ private:
   std::vector<int> roots_; ///< the part that each element is
   std::vector<Quartic> quartics_;
 };
+
+/// A scalar of the vertices at a place, linear between the corners.
+double linear(
+  const SurfacePlace& place, const Triangles& triangles, const Eigen::VectorXd& at_vertices);
+/// A nodal field of the basis at places. At extraordinary vertices, where a basis can't be evaluated, it
+/// is taken beside them.
+Points at_places(const Basis& basis, const std::vector<SurfacePlace>& places, const Points& nodal);
 
 }

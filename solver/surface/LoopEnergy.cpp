@@ -1,6 +1,8 @@
 #include "solver/surface/LoopEnergy.h"
 
+#include "solver/mesh/MeshIntegrals.h"
 #include "solver/surface/SurfaceIntegrals.h"
+#include "solver/surface/SurfaceMeasures.h"
 
 #include <cmath>
 
@@ -47,6 +49,14 @@ LoopEnergy LoopEnergyRules::energy(const Points& points) const
 LoopEnergy loop_energy(const TriangleMesh& mesh)
 {
   return LoopEnergyRules(mesh.triangles, static_cast<int>(mesh.points.rows())).energy(mesh.points);
+}
+
+double loop_error(const TriangleMesh& mesh, double bending_energy, double reduced_volume)
+{
+  const LoopEnergy energy = loop_energy(mesh);
+  const SurfaceMeasures m = surface_measures(SurfaceBasis::loop, mesh);
+  return std::abs(energy.fine / bending_energy - 1) + energy.disagreement() +
+    std::abs(vesicle::reduced_volume(m.area, m.volume) / reduced_volume - 1);
 }
 
 }

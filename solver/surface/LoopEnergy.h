@@ -37,4 +37,8 @@ private:
 /// Of a closed manifold mesh. Throws InputError for others.
 LoopEnergy loop_energy(const TriangleMesh& mesh);
 
+/// How badly Loop's surface through a mesh holds a bending energy and a reduced volume, relative, and how
+/// far its energies by the two rules differ; all added up.
+double loop_error(const TriangleMesh& mesh, double bending_energy, double reduced_volume);
+
 }

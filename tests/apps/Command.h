@@ -49,10 +49,10 @@ Outcome program(const std::filesystem::path& program, const std::filesystem::pat
 Outcome python_file(const std::filesystem::path& folder, const std::filesystem::path& script,
   const std::vector<std::string>& arguments);
 
-/// A scene of a few seconds at most; writes it as pear.toml.
 /// Each ends with exit code 2 and says why.
 void expect_usage_errors(
   const std::filesystem::path& folder, const std::vector<std::vector<std::string>>& commands);
+/// A scene of a few seconds at most; writes it as pear.toml.
 void write_scene_file(const std::filesystem::path& folder);
 std::string bytes_of(const std::filesystem::path& file);
 

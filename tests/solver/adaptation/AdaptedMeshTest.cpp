@@ -100,8 +100,8 @@ TEST(GradedRemeshing, FollowsTheSizingLawIntoABud)
   for (const auto& [a, b] :
     Connectivity(fresh.triangles, static_cast<int>(fresh.points.rows())).edges)
   {
-    const double h = (limit.linear(placed.places[a], wanted) +
-                       limit.linear(placed.places[b], wanted)) /
+    const double h = (linear(placed.places[a], mesh.triangles, wanted) +
+                       linear(placed.places[b], mesh.triangles, wanted)) /
       2,
                  ratio = (fresh.points.row(a) - fresh.points.row(b)).norm() / h;
     EXPECT_GT(ratio, 0.4);
@@ -124,7 +124,7 @@ TEST(SettledShape, KeepsAreaAndVolumeAndBooksTheEnergy)
     EXPECT_NEAR(surface.area / shape.surface.area, 1, 1e-12);
     EXPECT_NEAR(surface.volume / shape.surface.volume, 1, 1e-12);
     EXPECT_NEAR(laid.terms[0]->energy(surface) - energy, settled.energy_change, 1e-9);
-    // A vertex moves by less than a fiftieth of an edge (of about 4/√n).
+    // A vertex moves by less than a fiftieth of an edge (of about 5.7/√n).
     EXPECT_LT((settled.points - adapted.mesh.points).rowwise().norm().maxCoeff(),
       0.1 / std::sqrt(triangles));
   }

@@ -144,14 +144,8 @@ TEST(Remeshing, BendingGoesOnAsBefore)
     const SettledShape settled =
       settle_shape(fresh, membrane_terms(relaxing, fresh, simulation.scales()), mesh,
         { old, terms, old.area, old.volume });
-    std::vector<ParametricPoint> points;
-    for (const SurfacePlace& place : mesh.places)
-    {
-      const Vector3 w = (1 - 3e-6) * place.weights + Vector3::Constant(1e-6);
-      points.push_back({ place.element, w[1], w[2], 0 });
-    }
     const Points carried =
-      interpolate(space.basis().tabulate(points), Points(space.collocation().fit(velocity)));
+      at_places(space.basis(), mesh.places, Points(space.collocation().fit(velocity)));
     const Points now =
       Simulation(relaxing, { settled.points, mesh.mesh.triangles }).instant().vesicles[0].velocity;
     EXPECT_LT((now - carried).norm(), 0.1 * carried.norm()) << triangles;
