@@ -2,7 +2,7 @@
 
 #include "apps/JsonText.h"
 
-#include "solver/dynamics/Blas.h"
+#include "solver/linear/Blas.h"
 #include "solver/files/FileBytes.h"
 #include "solver/scene/SceneFile.h"
 

@@ -5,7 +5,7 @@
 
 #include "solver/Doing.h"
 #include "solver/Errors.h"
-#include "solver/dynamics/Blas.h"
+#include "solver/linear/Blas.h"
 #include "solver/scene/NearestName.h"
 
 #include "vtkLogger.h"

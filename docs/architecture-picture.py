@@ -20,6 +20,7 @@ picture = root / "docs/pictures/architecture.svg"
 
 ABOUT = {
     "files": "whole files",
+    "linear": "sparse Cholesky, GMRES, BLAS",
     "mesh": "triangles, shapes, resampling",
     "surface": "basis, quadrature, curvature",
     "flow": "imposed flows",

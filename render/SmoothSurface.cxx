@@ -2,7 +2,7 @@
 
 #include "solver/Errors.h"
 #include "solver/surface/LoopBasis.h"
-#include "solver/surface/SparseLU.h"
+#include "solver/surface/Collocation.h"
 #include "vtkfilters/Filters/MeshConversion.h"
 
 #include "vtkCellArray.h"
@@ -77,14 +77,15 @@ struct SmoothSurface::Lattice
   std::vector<std::array<int, 3>> triangles;
   std::map<std::array<int, 2>, std::vector<int>> edges;
   SparseMatrix value, du, dv;
-  Eigen::SparseLU<Eigen::SparseMatrix<double>> control; ///< of limit points at the vertices
+  Collocation collocation;
 };
 
 SmoothSurface::Lattice::Lattice(const Triangles& coarse, int points, int wanted_triangles)
   : basis(coarse, points), vertices(points),
     parts(std::clamp(
       static_cast<int>(std::ceil(std::sqrt(wanted_triangles / static_cast<double>(coarse.rows())))),
-      1, most_parts))
+      1, most_parts)),
+    collocation(basis)
 {
   for (int element = 0; element < coarse.rows(); ++element)
   {
@@ -94,11 +95,6 @@ SmoothSurface::Lattice::Lattice(const Triangles& coarse, int points, int wanted_
   value = matrix_of(table, table.value);
   du = matrix_of(table, table.du);
   dv = matrix_of(table, table.dv);
-  control.compute(Eigen::SparseMatrix<double>(basis.collocation()));
-  if (control.info() != Eigen::Success)
-  {
-    throw InputError("the mesh has no Loop surface through its points");
-  }
 }
 
 int SmoothSurface::Lattice::point(int element, int i, int j)
@@ -175,7 +171,7 @@ void SmoothSurface::Lattice::cut(int element)
 
 Rows SmoothSurface::Lattice::refined(const Eigen::MatrixXd& values) const
 {
-  const Eigen::MatrixXd c = control.solve(values);
+  const Eigen::MatrixXd c = collocation.fit(values);
   Rows all(vertices + value.rows(), values.cols());
   all.topRows(vertices) = values;
   all.bottomRows(value.rows()) = value * c;
@@ -185,7 +181,7 @@ Rows SmoothSurface::Lattice::refined(const Eigen::MatrixXd& values) const
 Rows SmoothSurface::Lattice::normals(const Points& points) const
 {
   const Eigen::MatrixXd at_vertices = points;
-  const Eigen::MatrixXd solved = control.solve(at_vertices);
+  const Eigen::MatrixXd solved = collocation.fit(at_vertices);
   const Points c = solved;
   const Points along_u = du * c;
   const Points along_v = dv * c;

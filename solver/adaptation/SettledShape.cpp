@@ -93,7 +93,7 @@ Eigen::VectorXd longer_edges(
 Points density(const Surface& surface, const Eigen::VectorXd& gradient)
 {
   const SparseCholesky factors(
-    SymmetricMatrix(mass_matrix(surface.space->table(), surface.points)));
+    SymmetricMatrix(mass_matrix(surface.space->table(), surface.points)), surface.space->plans());
   return factors.solve(rows_of_three(gradient));
 }
 
@@ -115,15 +115,16 @@ Points smoothed(const SurfaceSpace& space, const MembraneTerms& terms, const Ada
   const Points& points = mesh.mesh.points;
   const Surface surface(space, points);
   const Variation variation = own_variation(terms, surface);
-  if (variation.rates.rows() == 0)
+  if (variation.rates.empty())
     return points;
-  const SparseMatrix D = along_normals(surface), rates = variation.rates * D;
+  const SparseMatrix D = along_normals(surface),
+                     stiffness = gauss_newton_matrix(space.table(), variation.rates);
   Eigen::MatrixXd constraints(points.rows(), 2);
   constraints << D.transpose() * control_area_gradient(surface),
     D.transpose() * volume_gradient(space.table(), surface.points);
   BorderedSystem system;
   system.compute(resistance(surface, longer_edges(surface, mesh, original)) +
-      SymmetricMatrix(2 * SparseMatrix(rates.transpose()) * rates),
+      SymmetricMatrix(SparseMatrix(D.transpose()) * stiffness * D),
     constraints, Eigen::Vector2d::Zero());
   const Eigen::VectorXd noise =
     D.transpose() * (variation.gradient - carried_gradient(surface, mesh, original));
@@ -215,7 +216,7 @@ private:
       S += std::pow(length, 4) *
         SymmetricMatrix(bilaplacian(space_.table(), surface.points, *surface.curvature));
     }
-    const SparseCholesky factors(S);
+    const SparseCholesky factors(S, space_.plans());
     return factors.solve(G);
   }
 

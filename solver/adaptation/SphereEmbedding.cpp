@@ -2,7 +2,7 @@
 
 #include "solver/Errors.h"
 #include "solver/mesh/EdgeUses.h"
-#include "solver/surface/SparseCholesky.h"
+#include "solver/linear/SparseCholesky.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -100,12 +100,11 @@ void SphereEmbedding::find_directions(const TriangleMesh& mesh)
   normalise(directions_, triangles_);
   const SymmetricMatrix L = stiffness(mesh);
   SparseCholesky factors;
-  factors.analyzePattern(L);
   for (int k = 0; k < most_steps; ++k)
   {
     const SymmetricMatrix M = mass(directions_, triangles_);
-    factors.factorize(M + step * L);
-    if (factors.info() != Eigen::Success)
+    factors.compute(M + step * L);
+    if (!factors.regular())
       throw NumericalError("the mesh can't be spread over a sphere");
     directions_ = factors.solve(M * directions_).eval();
     normalise(directions_, triangles_);

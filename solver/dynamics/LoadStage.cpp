@@ -1,7 +1,7 @@
 #include "solver/dynamics/LoadStage.h"
 
 #include "solver/Errors.h"
-#include "solver/dynamics/Gmres.h"
+#include "solver/linear/Gmres.h"
 #include "solver/dynamics/LocalPreconditioner.h"
 
 #include <fmt/format.h>
@@ -97,7 +97,7 @@ Eigen::VectorXd LoadStage::stiff_change(std::size_t v, const Eigen::VectorXd& pa
   const NodeMotion& motion = loads(v).motion();
   return -tau_ *
     motion.parameters_adjoint(
-      motion.velocity_adjoint(loads(v).stiffness(motion.velocity(parameters))));
+      motion.velocity_adjoint(loads(v).stiffness() * motion.velocity(parameters)));
 }
 
 Eigen::VectorXd LoadStage::load_of(std::size_t v, const LoadUnknowns& x) const

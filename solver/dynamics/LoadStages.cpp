@@ -9,36 +9,12 @@ namespace vesicle
 namespace
 {
 
-// The part of the preconditioner that depends on the shape alone is made anew where a vertex has
-// moved that far in its vesicle, in r0, or more iterations were needed.
-constexpr double stale_displacement = 0.05;
-constexpr int stale_iterations = 40;
-constexpr int max_iterations = 200;
-
-LayerMap layer_of(const SystemShape& shape)
+StokesOperator layer_of(const SystemShape& shape)
 {
   std::vector<LayerSurface> surfaces;
   for (const VesicleShape& v : shape.vesicles)
     surfaces.push_back({ v.vesicle->layer.get(), v.surface->vertices, v.surface->control });
-  const auto layer = std::make_shared<const StokesOperator>(std::move(surfaces));
-  if (shape.vertices() > most_dense_vertices)
-    return [layer](const std::vector<Eigen::VectorXd>& densities)
-    {
-      std::vector<ForceDensity> at_points;
-      for (const Eigen::VectorXd& density : densities)
-        at_points.push_back(nodal_density(rows_of_three(density)));
-      return layer->apply(at_points);
-    };
-  auto matrices = std::make_shared<std::vector<DenseMatrix>>();
-  for (std::size_t v = 0; v < shape.vesicles.size(); ++v)
-    matrices->push_back(layer->matrix(static_cast<int>(v)));
-  return [matrices](const std::vector<Eigen::VectorXd>& densities)
-  {
-    Eigen::VectorXd velocity = multiply(matrices->front(), densities.front());
-    for (std::size_t v = 1; v < densities.size(); ++v)
-      velocity += multiply((*matrices)[v], densities[v]);
-    return velocity;
-  };
+  return StokesOperator(std::move(surfaces));
 }
 
 // Of a vertex in its vesicle: a translation changes nothing.
@@ -63,6 +39,28 @@ void LoadStages::build(const SystemShape& shape)
   made_for_ = shape.points;
 }
 
+// Good until the next stage.
+LayerMap LoadStages::map_of(const StokesOperator& layer)
+{
+  if (layer.vertices() > most_dense_vertices)
+    return [&](const std::vector<Eigen::VectorXd>& densities)
+    {
+      std::vector<ForceDensity> at_points;
+      for (const Eigen::VectorXd& density : densities)
+        at_points.push_back(nodal_density(rows_of_three(density)));
+      return layer.apply(at_points);
+    };
+  for (std::size_t v = 0; v < matrices_.size(); ++v)
+    layer.fill(static_cast<int>(v), matrices_[v]);
+  return [this](const std::vector<Eigen::VectorXd>& densities)
+  {
+    Eigen::VectorXd velocity = matrices_.front() * densities.front();
+    for (std::size_t v = 1; v < densities.size(); ++v)
+      velocity += matrices_[v] * densities[v];
+    return velocity;
+  };
+}
+
 StageSolution LoadStages::solve(const SystemShape& shape, const Stage& stage, State& state)
 {
   PreconditionerState& kept = state.preconditioner;
@@ -78,7 +76,8 @@ StageSolution LoadStages::solve(const SystemShape& shape, const Stage& stage, St
   for (std::size_t v = 0; v < preconditioners_.size(); ++v)
     if (shape.vesicles[v].loads->taut() || (shape.vesicles[v].loads->stiff() && stage.tau > 0))
       preconditioners_[v].build_stiff(*shape.vesicles[v].loads, stage.tau);
-  const StageSolution solution = LoadStage(shape, layer_of(shape), stage.tau, stage.reference)
+  const StokesOperator layer = layer_of(shape);
+  const StageSolution solution = LoadStage(shape, map_of(layer), stage.tau, stage.reference)
                                    .solve(preconditioners_, stage.tolerance, max_iterations);
   state.iterations += solution.iterations;
   if (solution.iterations > stale_iterations)

@@ -23,11 +23,6 @@ SparseMatrix layer_inverse(const VesicleLoads& loads)
   return 2 / k0 * stiffness_matrix(surface.space->table(), surface.points) + 2 * k0 * loads.mass();
 }
 
-SparseMatrix gram(const SparseMatrix& R)
-{
-  return SparseMatrix(R.transpose()) * R;
-}
-
 using Entries = std::vector<Eigen::Triplet<double>>;
 
 // Of scalar ⊗ 1₃.
@@ -70,9 +65,9 @@ SymmetricMatrix saddle_matrix(const SparseMatrix& layer_inverse, const Constrain
   return square<SymmetricMatrix>(constraint ? 4 * n : 3 * n, entries);
 }
 
-void require(const SparseCholesky& factors)
+void require(bool regular)
 {
-  if (factors.info() != Eigen::Success)
+  if (!regular)
     throw NumericalError("the preconditioner of a stage is singular");
 }
 
@@ -85,8 +80,9 @@ void LocalPreconditioner::build(const VesicleLoads& loads)
   const SparseMatrix layer_inverse = vesicle::layer_inverse(loads);
   has_tension_ = loads.has_tension();
   taut_ = loads.taut();
-  saddle_.compute(saddle_matrix(layer_inverse, has_tension_ ? &loads.constraint() : nullptr));
-  require(saddle_);
+  saddle_.compute(saddle_matrix(layer_inverse, has_tension_ ? &loads.constraint() : nullptr),
+    surface.space->plans());
+  require(saddle_.regular());
   volume_rate_ = loads.volume_rate();
   vertex_area_ = surface.vertex_area;
   pushed_normal_ = flat(Points(layer_inverse * rows_of_three(loads.normal())));
@@ -122,11 +118,11 @@ void LocalPreconditioner::build_stiff(const VesicleLoads& loads, double tau)
     layer_inverse_ = square<SparseMatrix>(3 * layer_inverse_.rows(), three_times(layer_inverse_));
   SparseMatrix sum = layer_inverse_;
   if (tau > 0 && loads.stiff())
-    sum += 2 * tau * gram(material ? loads.rates() : loads.rates_along(loads.surface().normals));
+    sum += tau * (material ? loads.stiffness() : loads.stiffness_along(loads.surface().normals));
   if (loads.taut())
     sum += loads.resistance();
-  stiff_.compute(SymmetricMatrix(sum));
-  require(stiff_);
+  stiff_.compute(SymmetricMatrix(sum), loads.surface().space->plans());
+  require(stiff_.regular());
 }
 
 LoadUnknowns LocalPreconditioner::solve(

@@ -30,7 +30,7 @@ private:
 
   Eigen::Index nodes_ = 0;
   SparseMatrix layer_inverse_; ///< A_i of the stiff terms' part
-  SparseCholesky saddle_, stiff_;
+  SupernodalCholesky<float> saddle_, stiff_;
   /// What p, c and, of a taut sphere, the slack of the total area add to (w, γ): columns.
   Eigen::MatrixXd columns_;
   Eigen::MatrixXd border_; ///< the rows that belong to them, of the columns

@@ -1,7 +1,7 @@
 #pragma once
 // What makes the linear problem of a stage converge in a few iterations.
 
-#include "solver/dynamics/DenseFactorization.h"
+#include "solver/linear/DenseFactorization.h"
 
 #include <Eigen/Core>
 

@@ -2,7 +2,7 @@
 
 #include "solver/Errors.h"
 #include "solver/ParallelFor.h"
-#include "solver/dynamics/Gmres.h"
+#include "solver/linear/Gmres.h"
 #include "solver/dynamics/Preconditioner.h"
 
 #include <fmt/format.h>

@@ -1,10 +1,12 @@
 #include "solver/dynamics/TangentialMotion.h"
 
 #include "solver/Errors.h"
+#include "solver/ParallelFor.h"
 #include "solver/surface/NodeFrames.h"
 
 #include <Eigen/LU>
 
+#include <array>
 #include <cmath>
 
 namespace vesicle
@@ -58,13 +60,13 @@ public:
               it.value() * T_.row(i).segment<3>(3 * a).dot(T_.row(it.col()).segment<3>(3 * b)));
     X_.resize(2 * n, 2 * n);
     X_.setFromTriplets(entries.begin(), entries.end());
-    const SparseMatrix along = loads.rates_along(T_);
     Eigen::VectorXd twice(2 * n);
     for (Eigen::Index i = 0; i < n; ++i)
       twice.segment<2>(2 * i).setConstant(weight_[i]);
-    factors_.compute(SymmetricMatrix(SparseMatrix(X_.transpose()) * twice.asDiagonal() * X_ +
-      2 * mesh_implicitness * tau * (SparseMatrix(along.transpose()) * along)));
-    if (factors_.info() != Eigen::Success)
+    SparseMatrix form = SparseMatrix(X_.transpose()) * SparseMatrix(twice.asDiagonal() * X_);
+    form += mesh_implicitness * tau * loads.stiffness_along(T_);
+    factors_.compute(SymmetricMatrix(form), loads.surface().space->plans());
+    if (!factors_.regular())
       throw NumericalError("the problem of the tangential motion is singular");
   }
 
@@ -86,7 +88,7 @@ public:
   {
     if (!stiff())
       return Eigen::VectorXd::Zero(2 * T_.rows());
-    return tau_ * dual(loads_.stiffness(loads_.surface().to_control(w)));
+    return tau_ * dual(loads_.stiffness() * loads_.surface().to_control(w));
   }
   /// By conjugate gradients.
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const
@@ -131,7 +133,7 @@ private:
   double tau_;
   Eigen::VectorXd weight_; ///< m_i/β
   SparseMatrix X_;
-  SparseCholesky factors_;
+  SupernodalCholesky<float> factors_; ///< of the preconditioner
 };
 
 }
@@ -143,7 +145,12 @@ Eigen::VectorXd tangential_motion(const VesicleLoads& loads, const Eigen::Vector
   const TangentialForm form(loads, tau, beta);
   const Eigen::VectorXd g = form.dual(loads.gradient()), a = form.dual(loads.area_gradient()),
                         v = form.dual(loads.volume_gradient());
-  const Eigen::VectorXd a_solved = form.solve(a), v_solved = form.solve(v);
+  const Eigen::VectorXd drive =
+    form.weighted(gathered(form.tangents(), wanted)) - form.stiffness(otherwise);
+  const std::array<const Eigen::VectorXd*, 4> right_sides{ &a, &v, &g, &drive };
+  std::array<Eigen::VectorXd, 4> solved;
+  parallel_for(4, [&](int i) { solved[i] = form.solve(*right_sides[i]); });
+  const auto& [a_solved, v_solved, g_alone, drive_alone] = solved;
   const auto neutral = [&](Eigen::VectorXd d) -> Eigen::VectorXd
   {
     Eigen::Matrix2d J;
@@ -151,10 +158,8 @@ Eigen::VectorXd tangential_motion(const VesicleLoads& loads, const Eigen::Vector
     const Eigen::Vector2d x = J.fullPivLu().solve(Eigen::Vector2d(a.dot(d), v.dot(d)));
     return d - x[0] * a_solved - x[1] * v_solved;
   };
-  const Eigen::VectorXd g_solved = neutral(form.solve(g));
-  const Eigen::VectorXd drive =
-    form.weighted(gathered(form.tangents(), wanted)) - form.stiffness(otherwise);
-  Eigen::VectorXd d = neutral(form.solve(drive)) - g_solved;
+  const Eigen::VectorXd g_solved = neutral(g_alone);
+  Eigen::VectorXd d = neutral(drive_alone) - g_solved;
   const double rise = g.dot(d), excess = rise - largest_share * std::max(0., released);
   if (excess > 0 && g.dot(g_solved) > 0)
     d -= excess / g.dot(g_solved) * g_solved;

@@ -1,5 +1,8 @@
 #include "solver/dynamics/VesicleLoads.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace vesicle
 {
 
@@ -9,26 +12,6 @@ namespace
 // Of a taut sphere, over the fluid's viscosity times its radius: large enough that what it lets
 // through is negligible.
 constexpr double taut_resistance = 1e4;
-
-SparseMatrix one_below_the_other(const std::vector<SparseMatrix>& parts)
-{
-  if (parts.size() == 1)
-    return parts.front();
-  Eigen::Index rows = 0, first = 0, columns = parts.empty() ? 0 : parts.front().cols();
-  std::vector<Eigen::Triplet<double>> entries;
-  for (const SparseMatrix& part : parts)
-    rows += part.rows();
-  for (const SparseMatrix& part : parts)
-  {
-    for (int i = 0; i < part.rows(); ++i)
-      for (SparseMatrix::InnerIterator it(part, i); it; ++it)
-        entries.emplace_back(static_cast<int>(first) + i, static_cast<int>(it.col()), it.value());
-    first += part.rows();
-  }
-  SparseMatrix all(rows, columns);
-  all.setFromTriplets(entries.begin(), entries.end());
-  return all;
-}
 
 }
 
@@ -40,26 +23,26 @@ VesicleLoads::VesicleLoads(const Vesicle& vesicle, const Surface& surface,
     gradient_(Eigen::VectorXd::Zero(3 * surface.vertices.rows())),
     constraint_(std::move(constraint)), normal_(surface.to_control(flat(surface.normals))),
     mass_(mass_matrix(surface.space->table(), surface.points)),
-    mass_factors_(SymmetricMatrix(mass_))
+    mass_factors_(SymmetricMatrix(mass_), surface.space->plans())
 {
-  std::vector<SparseMatrix> rates;
+  std::vector<EntryVectors> rates;
   for (const auto& term : vesicle.terms)
   {
     Variation variation = term->variation(surface);
     loads_.push_back(-motion_.adjoint(variation.gradient));
     if (!term->external())
       gradient_ += variation.gradient;
-    if (variation.rates.rows() > 0)
-      rates.push_back(std::move(variation.rates));
+    std::move(variation.rates.begin(), variation.rates.end(), std::back_inserter(rates));
   }
   const BasisTable& table = surface.space->table();
+  if (!rates.empty())
+    stiffness_ = gauss_newton_matrix(table, rates);
   volume_gradient_ = vesicle::volume_gradient(table, surface.points);
   volume_rate_ = motion_.adjoint(volume_gradient_);
   area_gradient_ = surface.area_rate.transpose() * Eigen::VectorXd::Ones(surface.vertices.rows());
   area_share_ = motion_.adjoint(area_gradient_) - area_gradient_;
   if (constraint_ && constraint_->gauge_pinned)
     hold_taut(rate);
-  rates_ = one_below_the_other(rates);
 }
 
 // The tension less the pressure that balances it on a sphere, which does nothing but would be
@@ -85,24 +68,37 @@ Eigen::VectorXd VesicleLoads::taut_load(const Eigen::VectorXd& at_vertices) cons
   return taut_load_ + resisting_load(motion_.parameters(at_vertices));
 }
 
-// A row's entries come in threes, a node's.
-SparseMatrix VesicleLoads::rates_along(const Eigen::Ref<const DirectionRows>& directions) const
+SparseMatrix VesicleLoads::stiffness_along(const Eigen::Ref<const DirectionRows>& directions) const
 {
-  const Eigen::Index count = directions.cols() / 3;
-  SparseMatrix along(rates_.rows(), count * directions.rows());
-  along.resizeNonZeros(rates_.nonZeros() / 3 * count);
-  for (int q = 0; q <= rates_.rows(); ++q)
-    along.outerIndexPtr()[q] = static_cast<int>(rates_.outerIndexPtr()[q] / 3 * count);
-  for (Eigen::Index k = 0; k < rates_.nonZeros() / 3; ++k)
+  const int count = static_cast<int>(directions.cols() / 3),
+            nodes = static_cast<int>(directions.rows());
+  SparseMatrix along(count * nodes, count * nodes);
+  along.resizeNonZeros(stiffness_.nonZeros() / 9 * count * count);
+  const int* start = stiffness_.outerIndexPtr();
+  int next = 0;
+  for (int i = 0; i < nodes; ++i)
   {
-    const int node = rates_.innerIndexPtr()[3 * k] / 3;
-    const Eigen::Map<const Eigen::RowVector3d> rate(rates_.valuePtr() + 3 * k);
-    for (Eigen::Index a = 0; a < count; ++a)
+    const int pairs = (start[3 * i + 1] - start[3 * i]) / 3;
+    for (int a = 0; a < count; ++a)
     {
-      along.innerIndexPtr()[count * k + a] = static_cast<int>(count * node + a);
-      along.valuePtr()[count * k + a] = rate.dot(directions.row(node).segment<3>(3 * a));
+      const Eigen::RowVector3d from = directions.row(i).segment<3>(3 * a);
+      along.outerIndexPtr()[count * i + a] = next;
+      for (int p = 0; p < pairs; ++p)
+      {
+        const int j = stiffness_.innerIndexPtr()[start[3 * i] + 3 * p] / 3;
+        Eigen::RowVector3d pulled = Eigen::RowVector3d::Zero();
+        for (int d = 0; d < 3; ++d)
+          pulled += from[d] *
+            Eigen::Map<const Eigen::RowVector3d>(stiffness_.valuePtr() + start[3 * i + d] + 3 * p);
+        for (int b = 0; b < count; ++b, ++next)
+        {
+          along.innerIndexPtr()[next] = count * j + b;
+          along.valuePtr()[next] = pulled.dot(directions.row(j).segment<3>(3 * b));
+        }
+      }
     }
   }
+  along.outerIndexPtr()[count * nodes] = next;
   return along;
 }
 

@@ -6,7 +6,7 @@
 #include "solver/dynamics/ForceBasis.h"
 #include "solver/dynamics/System.h"
 #include "solver/surface/NodeMotion.h"
-#include "solver/surface/SparseCholesky.h"
+#include "solver/linear/SparseCholesky.h"
 
 namespace vesicle
 {
@@ -41,17 +41,13 @@ public:
   /// g of the membrane's own energy.
   const Eigen::VectorXd& gradient() const { return gradient_; }
 
-  /// R of all stiff terms, one below the other; no rows if none is stiff.
-  const SparseMatrix& rates() const { return rates_; }
-  bool stiff() const { return rates_.rows() > 0; }
-  /// R for motions of the nodes along m directions each, whose rows hold 3 m numbers: #rows by m N.
+  /// K, ∂²E/∂c² of all stiff terms but for its indefinite part: 3N by 3N, the nodes' blocks 3 by 3;
+  /// empty if none is stiff.
+  const SparseMatrix& stiffness() const { return stiffness_; }
+  bool stiff() const { return stiffness_.rows() > 0; }
+  /// K for motions of the nodes along m directions each, which their rows hold: m N by m N.
   using DirectionRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  SparseMatrix rates_along(const Eigen::Ref<const DirectionRows>& directions) const;
-  /// K δc = 2 RᵀR δc.
-  Eigen::VectorXd stiffness(const Eigen::VectorXd& displacement) const
-  {
-    return 2 * (rates_.transpose() * (rates_ * displacement));
-  }
+  SparseMatrix stiffness_along(const Eigen::Ref<const DirectionRows>& directions) const;
 
   // The tension's part. Rows B̂ u + F γ = 0, B̂ = B + (m/Σm) (Qᵀa − a)ᵀ, a = Bᵀ1: B's with a rank-one
   // correction after which they add up to the rate of the real area, that of the nodes' motion.
@@ -98,7 +94,7 @@ private:
   std::vector<Eigen::VectorXd> loads_;
   Eigen::VectorXd taut_load_; ///< or empty
   Eigen::VectorXd gradient_;
-  SparseMatrix rates_, resistance_;
+  SparseMatrix stiffness_, resistance_;
   std::shared_ptr<const ConstraintRows> constraint_; ///< none: no tension
   Eigen::VectorXd area_gradient_, area_share_, volume_gradient_, volume_rate_, normal_;
   SparseMatrix mass_;

@@ -11,20 +11,15 @@ namespace vesicle
 void BorderedSystem::compute(
   const SymmetricMatrix& K, const Eigen::MatrixXd& B, const Eigen::VectorXd& D)
 {
-  if (analysed_ != K.nonZeros())
-  {
-    factors_.analyzePattern(K);
-    analysed_ = K.nonZeros();
-  }
-  factors_.factorize(K);
-  if (factors_.info() != Eigen::Success)
+  factors_.compute(K);
+  if (!factors_.regular())
     throw NumericalError("the second variation of the energy can't be factorised");
   border_ = B;
   solved_border_ = factors_.solve(B);
   schur_ = B.transpose() * solved_border_;
   schur_ = ((schur_ + schur_.transpose()) / 2).eval();
   schur_.diagonal() += D;
-  const Eigen::VectorXd pivots = factors_.vectorD();
+  const Eigen::VectorXd& pivots = factors_.pivots();
   const Eigen::VectorXd of_border =
     Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(schur_, Eigen::EigenvaluesOnly).eigenvalues();
   index_ =

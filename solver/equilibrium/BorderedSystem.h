@@ -1,7 +1,7 @@
 #pragma once
 // Newton's step under constraints: a sparse symmetric matrix with a few full rows and columns.
 
-#include "solver/surface/SparseCholesky.h"
+#include "solver/linear/SparseCholesky.h"
 
 namespace vesicle
 {
@@ -25,7 +25,6 @@ public:
 
 private:
   SparseCholesky factors_;
-  Eigen::Index analysed_ = -1; ///< entries of the pattern
   Eigen::MatrixXd border_, solved_border_, schur_;
   int index_ = 0;
 };

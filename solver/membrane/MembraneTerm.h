@@ -37,9 +37,9 @@ struct TermForce
 struct Variation
 {
   Eigen::VectorXd gradient; ///< g = ∂E/∂c, 3N; of a term without an energy, minus its load
-  /// R: ∂²E/∂c² is about 2 RᵀR where the term is stiff; any number of rows, 3N columns. Without
-  /// rows: it isn't stiff.
-  SparseMatrix rates;
+  /// Where the term is stiff: ∂²E/∂c² is about 2 Σ_q R_qᵀR_q over the quadrature points of the
+  /// surface's table. Of each R the three numbers of every entry of the table; none: not stiff.
+  std::vector<EntryVectors> rates;
 };
 
 class MembraneTerm

@@ -170,42 +170,68 @@ StokesOperator::StokesOperator(std::vector<LayerSurface> surfaces, FarSum far)
   }
 }
 
-// For every group of targets on any surface: sums over the source's rows, 6 numbers a node and
-// lane, by the kernel; then write(first vertex of the surface, group, sums).
-template<class Sources, class Kernel, class Write>
-void StokesOperator::for_each_group(
-  int source, const RuleSources<Sources>& sources, Kernel kernel, Write write) const
+// For every group of targets on any surface: sums over the source's rows, 6 numbers a node and lane,
+// in room(number of the group), then write(first vertex of the surface, group, number, sums).
+template<class Room, class Write>
+void StokesOperator::for_each_group(int source, Room room, Write write) const
 {
   const LayerRules& rules = *surfaces_[source].rules;
+  const auto& [regular, near, singular] = points_[source];
+  const RuleSources<StokesletSources> sources{ node_sources(rules.regular().table, regular),
+    node_sources(rules.near().table, near), node_sources(rules.singular().table, singular) };
+  int first_group = 0;
   for (int s = 0; s < static_cast<int>(surfaces_.size()); ++s)
+  {
     parallel_for(group_count(surfaces_[s]),
       [&](int number)
       {
         const Group group(surfaces_[s], number);
-        thread_local std::vector<double> sum;
-        sum.assign(static_cast<std::size_t>(rules.vertices()) * stride, 0);
-        const auto add = [&](const Sources& rows, int begin, int end, const LaneMask& mask)
-        { kernel(rows, begin, end, group.position.data(), mask.data(), sum.data()); };
+        double* sum = room(first_group + number);
+        std::fill_n(sum, static_cast<long>(rules.vertices()) * stride, 0.);
+        const auto add = [&](const StokesletSources& rows, int begin, int end, const LaneMask& mask)
+        { add_stokeslets(rows, begin, end, group.position.data(), mask.data(), sum); };
         if (s == source)
           add_own_rows(group, rules, sources, add);
         else
           add(sources.regular, 0, rules.regular().start.back(), all_lanes());
-        write(first_[s], group, sum.data());
+        write(first_[s], group, first_group + number, sum);
       });
+    first_group += group_count(surfaces_[s]);
+  }
+}
+
+void StokesOperator::fill(int source, LayerMatrix& matrix) const
+{
+  int groups = 0;
+  for (const LayerSurface& surface : surfaces_)
+    groups += group_count(surface);
+  matrix.resize(groups, surfaces_[source].rules->vertices(), vertices());
+  for_each_group(
+    source, [&](int number) { return matrix.group(number); },
+    [&](int first, const Group& group, int number, const double*)
+    {
+      int* targets = matrix.targets(number);
+      for (int lane = 0; lane < lanes; ++lane)
+        targets[lane] = lane < group.count ? first + group.target[lane] : -1;
+    });
 }
 
 DenseMatrix StokesOperator::columns(int source, const NodalDensities& densities) const
 {
   const SparseMatrix& F = densities.F;
   const LayerRules& rules = *surfaces_[source].rules;
-  const auto& [regular, near, singular] = points_[source];
   const int n = rules.vertices();
   const long m = F.cols();
   DenseMatrix matrix(3L * vertices(), m);
-  const RuleSources<StokesletSources> sources{ node_sources(rules.regular().table, regular),
-    node_sources(rules.near().table, near), node_sources(rules.singular().table, singular) };
-  for_each_group(source, sources, add_stokeslets,
-    [&](int first, const Group& group, const double* sum)
+  for_each_group(
+    source,
+    [&](int)
+    {
+      thread_local std::vector<double> sum;
+      sum.resize(static_cast<std::size_t>(n) * stride);
+      return sum.data();
+    },
+    [&](int first, const Group& group, int, const double* sum)
     {
       thread_local std::vector<double> column; // of each density: x, y, z of all lanes
       column.assign(static_cast<std::size_t>(m) * 3 * lanes, 0);

@@ -5,6 +5,7 @@
 
 #include "solver/stokes/FarSum.h"
 #include "solver/stokes/ForceDensity.h"
+#include "solver/stokes/LayerMatrix.h"
 #include "solver/stokes/LayerRules.h"
 
 #include <span>
@@ -62,11 +63,12 @@ public:
   DenseMatrix columns(int source, const NodalDensities& densities) const;
   /// Of all vectors at its nodes, f = Σ N_k f_k: 3N by 3N.
   DenseMatrix matrix(int source) const;
+  /// The same, to be applied; the memory of `matrix` is used again.
+  void fill(int source, LayerMatrix& matrix) const;
 
 private:
-  template<class Sources, class Kernel, class Write>
-  void for_each_group(
-    int source, const RuleSources<Sources>& sources, Kernel kernel, Write write) const;
+  template<class Room, class Write>
+  void for_each_group(int source, Room room, Write write) const;
 
   struct Rules
   {

@@ -1,16 +1,8 @@
 #include "solver/stokes/StokesletKernel.h"
 
-#include <cstring>
+#include "solver/Multiversion.h"
 
-// The widest instruction set that the processor has is chosen when the program starts.
-// (Not with sanitizers: that happens before their runtimes are there.)
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) &&                             \
-  !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define VESICLE_MULTIVERSION                                                                       \
-  __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#else
-#define VESICLE_MULTIVERSION
-#endif
+#include <cstring>
 
 namespace vesicle
 {
@@ -134,6 +126,24 @@ void add_stokeslets(const StokesletSources& s, int begin, int end, const double*
       }
     }
   }
+}
+
+VESICLE_MULTIVERSION
+void multiply_stokeslets(const double* sum, int nodes, const double* vectors, double* velocities)
+{
+  Lanes x{}, y{}, z{};
+  for (int k = 0; k < nodes; ++k, sum += stokeslet_components * stokeslet_lanes, vectors += 3)
+  {
+    Lanes g[6];
+    for (int c = 0; c < 6; ++c)
+      load(g[c], sum + c * stokeslet_lanes);
+    x += g[0] * vectors[0] + g[1] * vectors[1] + g[2] * vectors[2];
+    y += g[1] * vectors[0] + g[3] * vectors[1] + g[4] * vectors[2];
+    z += g[2] * vectors[0] + g[4] * vectors[1] + g[5] * vectors[2];
+  }
+  std::memcpy(velocities, &x, sizeof x);
+  std::memcpy(velocities + stokeslet_lanes, &y, sizeof y);
+  std::memcpy(velocities + 2 * stokeslet_lanes, &z, sizeof z);
 }
 
 VESICLE_MULTIVERSION

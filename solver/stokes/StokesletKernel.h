@@ -31,6 +31,11 @@ struct StokesletSources
 [[gnu::visibility("hidden")]] void add_stokeslets(const StokesletSources& sources, int begin,
   int end, const double* targets, const double* mask, double* sum);
 
+/// What add_stokeslets has made, for all nodes, times their vectors (3 a node): the velocities of the
+/// lanes, x, y, z (3 · lanes).
+[[gnu::visibility("hidden")]] void multiply_stokeslets(
+  const double* sum, int nodes, const double* vectors, double* velocities);
+
 /// Source points with a known force.
 struct ForceSources : StokesletSources
 {

@@ -9,6 +9,7 @@
 #include <Eigen/SparseCore>
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,8 @@ namespace vesicle
 {
 
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+class ElementPattern;
 
 /// Rows are quadrature points; the entries of row q are those from start[q] to start[q + 1].
 struct BasisTable
@@ -27,9 +30,14 @@ struct BasisTable
   std::vector<int> node;             ///< of each entry
   std::vector<double> value, du, dv; ///< N_k, ∂N_k/∂u, ∂N_k/∂v of each entry
   std::vector<double> duu, duv, dvv; ///< second derivatives; empty for linear elements
+  std::shared_ptr<const ElementPattern>
+    pattern; ///< of matrices over the nodes; none: made each time
 
   int rows() const { return static_cast<int>(weight.size()); }
 };
+
+/// Three numbers of every entry of a table.
+using EntryVectors = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
 /// Calls visit(first row, end row, nodes) for each element: its rows are consecutive and have the
 /// same nodes in the same order, so that products of entries can be added up before they are
@@ -62,6 +70,8 @@ public:
   /// P: surface points at the mesh's vertices = P · control points. Velocities are collocated
   /// there.
   virtual SparseMatrix collocation() const = 0;
+  /// Factors of P's rows that leave a symmetric matrix: P = diag(scale) S.
+  virtual Eigen::VectorXd collocation_scale() const = 0;
   /// Distances from a vertex grow as its parametric distance to that power; 1 where the
   /// parametrisation is smooth.
   virtual double radial_exponent(int vertex) const = 0;
@@ -83,6 +93,7 @@ public:
   bool smooth() const override { return false; }
   BasisTable tabulate(std::span<const ParametricPoint> points) const override;
   SparseMatrix collocation() const override;
+  Eigen::VectorXd collocation_scale() const override { return Eigen::VectorXd::Ones(nodes_); }
   double radial_exponent(int) const override { return 1; }
   Points vertex_normals(const Points& control) const override;
 

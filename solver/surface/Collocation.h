@@ -3,11 +3,10 @@
 // control points c, velocities are collocated there, and everything that is known at the vertices
 // reaches the basis through P⁻¹. P is the identity on flat triangles.
 
+#include "solver/linear/SparseCholesky.h"
 #include "solver/surface/Basis.h"
 
 #include <Eigen/Core>
-
-#include <memory>
 
 namespace vesicle
 {
@@ -16,9 +15,8 @@ namespace vesicle
 class Collocation
 {
 public:
+  /// Throws InputError if the mesh has no such surface.
   explicit Collocation(const Basis& basis);
-  ~Collocation();
-  Collocation(Collocation&&) noexcept;
 
   /// P: values at the vertices of a nodal scalar, N.
   Eigen::VectorXd at_vertices(const Eigen::VectorXd& nodal) const;
@@ -40,9 +38,11 @@ public:
   const SparseMatrix& matrix() const { return P_; }
 
 private:
-  struct Factors;
   SparseMatrix P_;
-  std::unique_ptr<const Factors> factors_; ///< none: P is the identity
+  bool smooth_; ///< false: P is the identity
+  // P = diag(1/unscale) S, S symmetric.
+  Eigen::VectorXd unscale_;
+  SparseCholesky symmetric_;
 };
 
 /// 3N view of N by 3 points, and back.

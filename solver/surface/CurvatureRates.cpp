@@ -56,8 +56,8 @@ CurvatureRates curvature_rates(
 {
   const SecondDerivatives second = second_derivatives(table, control);
   const auto entries = static_cast<Eigen::Index>(table.node.size());
-  CurvatureRates rates{ Eigen::VectorXd(table.rows()), CurvatureRates::EntryVectors(entries, 3),
-    CurvatureRates::EntryVectors(entries, 3) };
+  CurvatureRates rates{ Eigen::VectorXd(table.rows()), EntryVectors(entries, 3),
+    EntryVectors(entries, 3) };
   parallel_for(
     table.rows(),
     [&](int q)

@@ -13,7 +13,6 @@ namespace vesicle
 /// (a_α tangents, a^α their dual, b the second fundamental form with n outward: b_{αβ} = ∂_α∂_β x·n.)
 struct CurvatureRates
 {
-  using EntryVectors = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
   Eigen::VectorXd twice_mean;          ///< 2H of every row
   EntryVectors of_twice_mean, of_area; ///< of every entry
 };

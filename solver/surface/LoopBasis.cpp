@@ -9,6 +9,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 namespace vesicle
@@ -97,6 +98,24 @@ Jet evaluate(const Polynomial& polynomial, const std::array<int, 3>& order, cons
     second[2][2] - 2 * second[0][2] + second[0][0] };
 }
 
+// The twelve functions of a regular patch at a point of it: of each corner c, with d and e the next
+// ones, those of c, across c–d, far from c towards e and towards d.
+using RegularJets = std::array<std::array<Jet, 4>, 3>;
+
+RegularJets regular_jets(double u, double v)
+{
+  const double lambda[3] = { 1 - u - v, u, v };
+  RegularJets jets;
+  for (int c = 0; c < 3; ++c)
+  {
+    const int d = (c + 1) % 3, e = (c + 2) % 3;
+    jets[c] = { evaluate(corner_spline, { c, d, e }, lambda),
+      evaluate(across_spline, { c, d, e }, lambda), evaluate(far_spline, { c, e, d }, lambda),
+      evaluate(far_spline, { c, d, e }, lambda) };
+  }
+  return jets;
+}
+
 Weights edge_point(const Weights& a, const Weights& b, const Weights& left, const Weights& right)
 {
   return 3. / 8 * (a + b) + 1. / 8 * (left + right);
@@ -142,8 +161,8 @@ struct LoopBasis::Patch
   // Ring of the new point on the edge c, c + 1, counter-clockwise from the new point on edge c, c
   // + 2.
   std::vector<Weights> ring_of_edge(int c) const;
-  // Adds each control point's jet at (u, v) to `jets`.
-  void add_regular(double u, double v, std::vector<Jet>& jets) const;
+  // Adds each control point's jet where the patch's functions are `regular` to `jets`.
+  void add_regular(const RegularJets& regular, std::vector<Jet>& jets) const;
 };
 
 std::vector<Weights> LoopBasis::Patch::ring_of_edge(int c) const
@@ -190,24 +209,21 @@ LoopBasis::Patch LoopBasis::Patch::centre_child() const
   return child;
 }
 
-void LoopBasis::Patch::add_regular(double u, double v, std::vector<Jet>& jets) const
+void LoopBasis::Patch::add_regular(const RegularJets& regular, std::vector<Jet>& jets) const
 {
-  const double lambda[3] = { 1 - u - v, u, v };
-  const auto add = [&](const Weights& weights, const Polynomial& spline, int a, int b, int c)
+  const auto add = [&](const Weights& weights, const Jet& jet)
   {
-    const Jet jet = evaluate(spline, { a, b, c }, lambda);
     for (int i = 0; i < weights.size(); ++i)
       if (weights[i] != 0)
         jets[i].add(weights[i], jet);
   };
   for (int c = 0; c < 3; ++c)
   {
-    const int d = (c + 1) % 3, e = (c + 2) % 3;
     // Ring of corner c: [d, e, across c–e, far towards e, far towards d, across c–d].
-    add(corner[c], corner_spline, c, d, e);
-    add(ring[c][5], across_spline, c, d, e);
-    add(ring[c][3], far_spline, c, e, d);
-    add(ring[c][4], far_spline, c, d, e);
+    add(corner[c], regular[c][0]);
+    add(ring[c][5], regular[c][1]);
+    add(ring[c][3], regular[c][2]);
+    add(ring[c][4], regular[c][3]);
   }
 }
 
@@ -282,6 +298,7 @@ BasisTable LoopBasis::tabulate(std::span<const ParametricPoint> points) const
   table.nodes = nodes_;
   int element = -1;
   std::map<std::vector<int>, Patch> patches; // of the element, by the path of children taken
+  std::map<std::pair<double, double>, RegularJets> known; // rules repeat their points
   for (const ParametricPoint& p : points)
   {
     if (p.element != element)
@@ -313,7 +330,10 @@ BasisTable LoopBasis::tabulate(std::span<const ParametricPoint> points) const
       leaf = &it->second;
     }
     std::vector<Jet> jets(leaf->nodes.size());
-    leaf->add_regular(u, v, jets);
+    auto [jet, unknown] = known.try_emplace({ u, v });
+    if (unknown)
+      jet->second = regular_jets(u, v);
+    leaf->add_regular(jet->second, jets);
     table.element.push_back(p.element);
     table.weight.push_back(p.weight);
     for (std::size_t i = 0; i < jets.size(); ++i)
@@ -331,14 +351,24 @@ BasisTable LoopBasis::tabulate(std::span<const ParametricPoint> points) const
   return table;
 }
 
+// χ, what a neighbour gives to a vertex's limit position.
+Eigen::VectorXd LoopBasis::collocation_scale() const
+{
+  Eigen::VectorXd chi(nodes_);
+  for (int i = 0; i < nodes_; ++i)
+    chi[i] = 1 / (3 / (8 * loop_vertex_weight(ring_.size(i))) + ring_.size(i));
+  return chi;
+}
+
 SparseMatrix LoopBasis::collocation() const
 {
-  // Limit position of a vertex: (1 − nχ) x + χ Σ neighbours, χ = 1/(3/(8β) + n).
+  // Limit position of a vertex: (1 − nχ) x + χ Σ neighbours.
+  const Eigen::VectorXd scale = collocation_scale();
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < nodes_; ++i)
   {
     const int n = ring_.size(i);
-    const double chi = 1 / (3 / (8 * loop_vertex_weight(n)) + n);
+    const double chi = scale[i];
     entries.emplace_back(i, i, 1 - n * chi);
     for (const int* j = ring_.begin(i); j != ring_.end(i); ++j)
       entries.emplace_back(i, *j, chi);

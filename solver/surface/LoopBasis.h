@@ -23,6 +23,7 @@ public:
   /// Second derivatives are included. Points must not be corners of extraordinary vertices.
   BasisTable tabulate(std::span<const ParametricPoint> points) const override;
   SparseMatrix collocation() const override;
+  Eigen::VectorXd collocation_scale() const override;
   /// −log₂ λ with λ = 3/8 + cos(2π/n)/4, by which a level of subdivision shrinks the neighbourhood
   /// of a vertex of valence n.
   double radial_exponent(int vertex) const override;

@@ -2,7 +2,7 @@
 
 #include "solver/surface/FittedCurvature.h"
 #include "solver/surface/LoopBasis.h"
-#include "solver/surface/SparseCholesky.h"
+#include "solver/linear/SparseCholesky.h"
 
 namespace vesicle
 {
@@ -24,8 +24,11 @@ std::unique_ptr<const Basis> make_basis(SurfaceBasis kind, const Triangles& tria
 
 BasisTable make_table(const Basis& basis, int flat_points)
 {
-  return basis.smooth() ? tabulate_rule(basis, triangle_rule(smooth_points), smooth_grading)
-                        : tabulate_rule(basis, triangle_rule(flat_points));
+  BasisTable table = basis.smooth()
+    ? tabulate_rule(basis, triangle_rule(smooth_points), smooth_grading)
+    : tabulate_rule(basis, triangle_rule(flat_points));
+  table.pattern = pattern_of(table);
+  return table;
 }
 
 }
@@ -39,7 +42,8 @@ SurfaceSpace::SurfaceSpace(SurfaceBasis kind, const Triangles& triangles, int no
 SurfaceSpace::SurfaceSpace(
   SurfaceBasis kind, VertexCurvature curvature, const Triangles& triangles, int nodes, int points)
   : basis_(make_basis(kind, triangles, nodes)), curvature_(curvature),
-    table_(make_table(*basis_, points)), collocation_(*basis_)
+    table_(make_table(*basis_, points)), collocation_(*basis_),
+    plans_(std::make_unique<const EliminationPlans>())
 {
 }
 
@@ -84,7 +88,8 @@ namespace
 Curvature weak_curvature(const Surface& surface)
 {
   const BasisTable& table = surface.space->table();
-  const SparseCholesky mass{ SymmetricMatrix(mass_matrix(table, surface.points)) };
+  const SparseCholesky mass(
+    SymmetricMatrix(mass_matrix(table, surface.points)), surface.space->plans());
   const auto projected = [&](const Eigen::VectorXd& load) -> Eigen::VectorXd
   { return surface.collocation().at_vertices(mass.solve(load)); };
   Curvature c;
@@ -146,8 +151,7 @@ AreaAndVolume area_and_volume(const SurfaceSpace& space, const Points& vertices)
   const SurfacePoints surface = evaluate(table, control);
   const Eigen::VectorXd mass = vertex_areas(table, surface);
   AreaAndVolume c{ area(surface), volume(table, surface),
-    collocation.from_control(
-      area_rate_matrix(table, surface).transpose() * Eigen::VectorXd::Ones(vertices.rows())),
+    collocation.from_control(area_gradient(table, surface)),
     collocation.from_control(volume_gradient(table, surface)), {}, {} };
   if (space.smooth())
   {

@@ -2,6 +2,7 @@
 // The surface of one vesicle at one moment, on flat triangles or on Loop's limit surface: what is
 // known of its geometry. Forces, flows and scenes are unknown here.
 
+#include "solver/linear/EliminationPlans.h"
 #include "solver/surface/SurfaceBasis.h"
 #include "solver/surface/Collocation.h"
 #include "solver/surface/Cotan.h"
@@ -45,12 +46,15 @@ public:
   /// fewer points lets the surface ripple between them where it is hardly resolved.
   const BasisTable& table() const { return table_; }
   const Collocation& collocation() const { return collocation_; }
+  /// Of the matrices over its nodes, which have the same patterns shape after shape.
+  const EliminationPlans& plans() const { return *plans_; }
 
 private:
   std::unique_ptr<const Basis> basis_;
   VertexCurvature curvature_;
   BasisTable table_;
   Collocation collocation_;
+  std::unique_ptr<const EliminationPlans> plans_;
 };
 
 /// Vectors have 3 entries a node. Velocities are those of the vertices unless said otherwise.

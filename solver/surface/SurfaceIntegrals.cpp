@@ -1,6 +1,7 @@
 #include "solver/surface/SurfaceIntegrals.h"
 
 #include "solver/ParallelFor.h"
+#include "solver/surface/ElementPattern.h"
 
 #include <vector>
 
@@ -179,29 +180,36 @@ Eigen::VectorXd vertex_areas(const BasisTable& table, const SurfacePoints& s)
 
 SparseMatrix area_rate_matrix(const BasisTable& table, const SurfacePoints& s)
 {
-  std::vector<Eigen::Triplet<double>> entries;
-  for_each_element(table,
-    [&](int begin, int end, std::span<const int> nodes)
+  const auto pattern = pattern_of(table);
+  ElementSum sum(*pattern, 1, 3);
+  Points gradients;
+  for (const ElementPattern::Element& e : pattern->elements())
+  {
+    gradients.resize(e.width, 3);
+    sum.begin(e);
+    for (int q = e.begin; q < e.end; ++q)
     {
-      const auto width = static_cast<Eigen::Index>(nodes.size());
-      Eigen::MatrixXd local = Eigen::MatrixXd::Zero(width, 3 * width);
-      for (int q = begin; q < end; ++q)
-      {
-        const ScaledGradient gradient(table, s, q);
-        for (Eigen::Index j = 0; j < width; ++j)
-        {
-          const Row3 g = gradient.of(table, table.start[q] + static_cast<int>(j));
-          for (Eigen::Index k = 0; k < width; ++k)
-            local.block<1, 3>(k, 3 * j) += table.value[table.start[q] + k] * g;
-        }
-      }
-      for (Eigen::Index k = 0; k < width; ++k)
-        for (Eigen::Index j = 0; j < 3 * width; ++j)
-          entries.emplace_back(nodes[k], 3 * nodes[j / 3] + j % 3, local(k, j));
-    });
-  SparseMatrix B(table.nodes, 3 * table.nodes);
-  B.setFromTriplets(entries.begin(), entries.end());
-  return B;
+      const ScaledGradient gradient(table, s, q);
+      for (int j = 0; j < e.width; ++j)
+        gradients.row(j) = gradient.of(table, table.start[q] + j);
+      sum.add_outer_product(1, table.value.data() + table.start[q], gradients.data());
+    }
+    sum.end();
+  }
+  return sum.matrix();
+}
+
+// The functions N_k add up to 1.
+Eigen::VectorXd area_gradient(const BasisTable& table, const SurfacePoints& s)
+{
+  Points sum = Points::Zero(table.nodes, 3);
+  for (int q = 0; q < table.rows(); ++q)
+  {
+    const ScaledGradient gradient(table, s, q);
+    for (int k = table.start[q]; k < table.start[q + 1]; ++k)
+      sum.row(table.node[k]) += gradient.of(table, k);
+  }
+  return sum.reshaped<Eigen::RowMajor>();
 }
 
 Eigen::VectorXd volume_gradient(const BasisTable& table, const SurfacePoints& s)

@@ -50,8 +50,10 @@ Vector3 centroid(const BasisTable& table, const SurfacePoints& surface);
 Eigen::VectorXd vertex_areas(const BasisTable& table, const SurfacePoints& surface);
 /// B: N by 3N, (B u)_k = dA_k/dt = ∮ N_k ∇_s·u dS when the nodes move with u. Exact derivative of
 /// vertex_areas; A⁻¹B is the paper's D, (28)–(31). Its transpose gives the tension's nodal forces
-/// −Bᵀγ. The column sums 1ᵀB are ∂A/∂x.
+/// −Bᵀγ.
 SparseMatrix area_rate_matrix(const BasisTable& table, const SurfacePoints& surface);
+/// ∂A/∂x = 1ᵀB: 3N.
+Eigen::VectorXd area_gradient(const BasisTable& table, const SurfacePoints& surface);
 /// ∂V/∂x: 3N. The nodes' area-weighted normals, ∮ N_k n dS.
 Eigen::VectorXd volume_gradient(const BasisTable& table, const SurfacePoints& surface);
 /// Galerkin load of a normal force density p(x) n, F_k = ∮ N_k p n dS: 3N; `density` has one entry

@@ -1,5 +1,7 @@
 #include "solver/surface/WeakForms.h"
 
+#include "solver/ParallelFor.h"
+
 namespace vesicle
 {
 
@@ -16,7 +18,7 @@ PointCurvature point_curvature(
   PointCurvature c{ Eigen::VectorXd(table.rows()), Eigen::VectorXd(table.rows()),
     std::vector<double>(table.node.size()) };
   const SecondDerivatives second = second_derivatives(table, control);
-  for (int q = 0; q < table.rows(); ++q)
+  const auto at_row = [&](int q)
   {
     const Row3 uu = second.uu.row(q), uv = second.uv.row(q), vv = second.vv.row(q);
     const Row3 a = s.tangent_u.row(q), b = s.tangent_v.row(q), cross = s.cross.row(q);
@@ -31,8 +33,27 @@ PointCurvature point_curvature(
     for (int k = table.start[q]; k < table.start[q + 1]; ++k)
       c.laplacian[k] = g_uu * table.duu[k] + 2 * g_uv * table.duv[k] + g_vv * table.dvv[k] -
         along_u * table.du[k] - along_v * table.dv[k];
-  }
+  };
+  parallel_for(table.rows(), at_row, 256);
   return c;
+}
+
+SparseMatrix gauss_newton_matrix(const BasisTable& table, const std::vector<EntryVectors>& rates)
+{
+  const auto pattern = pattern_of(table);
+  ElementSum sum(*pattern, 3, 3);
+  for (const ElementPattern::Element& e : pattern->elements())
+  {
+    sum.begin(e);
+    for (const EntryVectors& R : rates)
+      for (int q = e.begin; q < e.end; ++q)
+      {
+        const double* row = R.data() + 3L * table.start[q];
+        sum.add_outer_product(2, row, row);
+      }
+    sum.end();
+  }
+  return sum.matrix();
 }
 
 SparseMatrix mass_matrix(const BasisTable& table, const SurfacePoints& surface)

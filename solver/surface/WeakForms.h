@@ -2,6 +2,7 @@
 // Curvature at the quadrature points of a basis with second derivatives, and integrals of products
 // of its functions.
 
+#include "solver/surface/ElementPattern.h"
 #include "solver/surface/SurfaceIntegrals.h"
 
 namespace vesicle
@@ -20,6 +21,9 @@ PointCurvature point_curvature(
 template<class Value>
 SparseMatrix gram_matrix(const BasisTable& table, const SurfacePoints& surface, Value value);
 
+/// 2 Σ_q R_qᵀR_q, 3N by 3N, over the rows of a table and all R; of each R the three numbers of every
+/// entry.
+SparseMatrix gauss_newton_matrix(const BasisTable& table, const std::vector<EntryVectors>& rates);
 /// M_jk = ∮ N_j N_k dS.
 SparseMatrix mass_matrix(const BasisTable& table, const SurfacePoints& surface);
 /// L_jk = ∮ ∇N_j·∇N_k dS.
@@ -39,26 +43,22 @@ Eigen::VectorXd moments(
 template<class Value>
 SparseMatrix gram_matrix(const BasisTable& table, const SurfacePoints& surface, Value value)
 {
-  std::vector<Eigen::Triplet<double>> entries;
-  for_each_element(table,
-    [&](int begin, int end, std::span<const int> nodes)
+  const auto pattern = pattern_of(table);
+  ElementSum sum(*pattern, 1, 1);
+  std::vector<double> a;
+  for (const ElementPattern::Element& e : pattern->elements())
+  {
+    a.resize(e.width);
+    sum.begin(e);
+    for (int q = e.begin; q < e.end; ++q)
     {
-      const auto width = static_cast<Eigen::Index>(nodes.size());
-      Eigen::MatrixXd local = Eigen::MatrixXd::Zero(width, width);
-      Eigen::VectorXd a(width);
-      for (int q = begin; q < end; ++q)
-      {
-        for (Eigen::Index k = 0; k < width; ++k)
-          a[k] = value(q, table.start[q] + static_cast<int>(k));
-        local.noalias() += surface.area_weight[q] * a * a.transpose();
-      }
-      for (Eigen::Index j = 0; j < width; ++j)
-        for (Eigen::Index k = 0; k < width; ++k)
-          entries.emplace_back(nodes[j], nodes[k], local(j, k));
-    });
-  SparseMatrix gram(table.nodes, table.nodes);
-  gram.setFromTriplets(entries.begin(), entries.end());
-  return gram;
+      for (int k = 0; k < e.width; ++k)
+        a[k] = value(q, table.start[q] + k);
+      sum.add_outer_product(surface.area_weight[q], a.data(), a.data());
+    }
+    sum.end();
+  }
+  return sum.matrix();
 }
 
 }

@@ -3,7 +3,7 @@
 #include "vtkfilters/Filters/SeriesFile.h"
 #include "vtkfilters/Filters/SeriesWriter.h"
 
-#include "solver/dynamics/Blas.h"
+#include "solver/linear/Blas.h"
 #include "solver/dynamics/Diagnostics.h"
 
 #include "vtkInformation.h"

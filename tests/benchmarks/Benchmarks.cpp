@@ -2,13 +2,16 @@
 // quote the others against them:
 //   build/release/bin/vesicle_benchmarks
 //   build/release/bin/vesicle_benchmarks --benchmark_filter=Step --benchmark_repetitions=5
-#include "solver/dynamics/Blas.h"
-#include "solver/dynamics/DenseFactorization.h"
+#include "solver/linear/Blas.h"
+#include "solver/linear/DenseFactorization.h"
+#include "solver/linear/SparseCholesky.h"
 #include "solver/simulation/SystemOfScene.h"
 #include "solver/simulation/Simulation.h"
 #include "solver/simulation/StartMesh.h"
 #include "solver/stokes/StokesletKernel.h"
+#include "solver/surface/NodeFrames.h"
 
+#include <Eigen/SparseCholesky>
 #include <benchmark/benchmark.h>
 
 #include <numeric>
@@ -98,6 +101,60 @@ BENCHMARK_CAPTURE(Assembly, loop, Scene::Basis::loop)
   ->Arg(5120)
   ->UseRealTime()
   ->Unit(benchmark::kMillisecond);
+
+// The bending's stiffness of a pear and its mass, of two unknowns a node: what a step factorises.
+SymmetricMatrix tangential_stiffness(int triangles)
+{
+  const Scene scene = pear(triangles);
+  const TriangleMesh mesh = make_start_mesh(scene);
+  const System system =
+    system_of(scene, scales_of(scene, mesh), mesh.triangles, static_cast<int>(mesh.points.rows()));
+  const SystemShape shape(system, { mesh.points });
+  const VesicleLoads& loads = *shape.vesicles.front().loads;
+  SymmetricMatrix K = loads.stiffness_along(frames_along(loads.surface().normals).rightCols<6>());
+  K.diagonal().array() += 1;
+  return K;
+}
+
+void compute(Eigen::SimplicialLDLT<SymmetricMatrix>& factors, const SymmetricMatrix& A)
+{
+  factors.factorize(A);
+}
+template<class Scalar>
+void compute(SupernodalCholesky<Scalar>& factors, const SymmetricMatrix& A)
+{
+  factors.compute(A);
+}
+
+template<class Factors>
+void SparseFactorization(benchmark::State& state)
+{
+  const SymmetricMatrix A = tangential_stiffness(static_cast<int>(state.range(0)));
+  Factors factors(A);
+  for (auto _ : state)
+    compute(factors, A);
+}
+
+template<class Factors>
+void SparseSolution(benchmark::State& state)
+{
+  const SymmetricMatrix A = tangential_stiffness(static_cast<int>(state.range(0)));
+  const Factors factors(A);
+  Eigen::VectorXd x = Eigen::VectorXd::Ones(A.rows());
+  for (auto _ : state)
+    benchmark::DoNotOptimize(x = factors.solve(x).normalized());
+}
+
+void sizes(benchmark::internal::Benchmark* benchmark)
+{
+  benchmark->Arg(320)->Arg(1280)->Arg(5120)->Unit(benchmark::kMillisecond);
+}
+BENCHMARK_TEMPLATE(SparseFactorization, Eigen::SimplicialLDLT<SymmetricMatrix>)->Apply(sizes);
+BENCHMARK_TEMPLATE(SparseFactorization, SupernodalCholesky<double>)->Apply(sizes);
+BENCHMARK_TEMPLATE(SparseFactorization, SupernodalCholesky<float>)->Apply(sizes);
+BENCHMARK_TEMPLATE(SparseSolution, Eigen::SimplicialLDLT<SymmetricMatrix>)->Apply(sizes);
+BENCHMARK_TEMPLATE(SparseSolution, SupernodalCholesky<double>)->Apply(sizes);
+BENCHMARK_TEMPLATE(SparseSolution, SupernodalCholesky<float>)->Apply(sizes);
 
 // Accepted steps of a rising vesicle from its start, everything included.
 void Step(benchmark::State& state, Scene::Preset preset)

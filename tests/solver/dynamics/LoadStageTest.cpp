@@ -39,7 +39,7 @@ Vesicle vesicle_of(const TriangleMesh& mesh, NodeMotionKind motion)
 struct Solved
 {
   SystemShape shape;
-  std::vector<DenseMatrix> layers;
+  std::vector<LayerMatrix> layers;
   StageSolution solution;
 
   Solved(const System& system, const std::vector<Points>& points, double tau, double tolerance)
@@ -52,7 +52,7 @@ struct Solved
     std::vector<LocalPreconditioner> preconditioners(shape.vesicles.size());
     for (std::size_t v = 0; v < shape.vesicles.size(); ++v)
     {
-      layers.push_back(layer.matrix(static_cast<int>(v)));
+      layer.fill(static_cast<int>(v), layers.emplace_back());
       preconditioners[v].build(*shape.vesicles[v].loads);
       if (tau > 0 || shape.vesicles[v].loads->taut())
         preconditioners[v].build_stiff(*shape.vesicles[v].loads, tau);
@@ -66,7 +66,7 @@ struct Solved
   {
     Eigen::VectorXd u = Eigen::VectorXd::Zero(3 * shape.vertices());
     for (std::size_t v = 0; v < densities.size(); ++v)
-      u += multiply(layers[v], densities[v]);
+      u += layers[v] * densities[v];
     return u;
   }
 };

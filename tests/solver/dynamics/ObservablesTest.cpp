@@ -1,6 +1,6 @@
 #include "solver/dynamics/Observables.h"
 #include "solver/dynamics/LumpedForces.h"
-#include "solver/surface/SparseCholesky.h"
+#include "solver/linear/SparseCholesky.h"
 #include "solver/membrane/HelfrichBending.h"
 #include "solver/mesh/shapes/GeodesicSphere.h"
 #include "solver/mesh/shapes/SphericalHarmonics.h"

@@ -1,10 +1,10 @@
 #include "solver/membrane/HelfrichBending.h"
 
 #include "solver/surface/LoopBasis.h"
-#include "solver/surface/SparseLU.h"
 #include "tests/solver/support/TestMeshes.h"
 
 #include <Eigen/SparseCholesky>
+#include <Eigen/SparseLU>
 #include <gtest/gtest.h>
 
 #include <cmath>

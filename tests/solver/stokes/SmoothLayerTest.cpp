@@ -5,10 +5,10 @@
 #include "solver/mesh/shapes/ShapeRequest.h"
 #include "solver/mesh/shapes/Shapes.h"
 #include "solver/surface/LoopBasis.h"
-#include "solver/surface/SparseLU.h"
 #include "solver/stokes/StokesOperator.h"
 #include "tests/solver/support/TestMeshes.h"
 
+#include <Eigen/SparseLU>
 #include <gtest/gtest.h>
 
 #include <functional>

@@ -133,6 +133,28 @@ TEST(StokesOperator, ColumnsAndApplicationAreThoseOfTheWholeMatrix)
   EXPECT_LT((applied - u).norm(), 1e-13 * u.norm());
 }
 
+// Two surfaces of different size, neither a multiple of the lanes; the second's matrix takes the memory
+// of the first's.
+TEST(StokesOperator, LayerMatricesAreThoseOfTheWholeMatrix)
+{
+  const TriangleMesh large = mapped(jittered_sphere(4, 0.2), test::paper_surface);
+  TriangleMesh small = jittered_sphere(2, 0.2);
+  small.points.rowwise() += Eigen::RowVector3d(3, 0, 0);
+  const auto rules_of = [](const TriangleMesh& mesh)
+  { return LayerRules(LinearBasis(mesh.triangles, static_cast<int>(mesh.points.rows())), {}); };
+  const LayerRules of_large = rules_of(large), of_small = rules_of(small);
+  const StokesOperator layer(
+    { { &of_large, large.points, large.points }, { &of_small, small.points, small.points } });
+  LayerMatrix matrix;
+  for (int source = 0; source < 2; ++source)
+  {
+    layer.fill(source, matrix);
+    const DenseMatrix S = layer.matrix(source);
+    const Eigen::VectorXd f = Eigen::VectorXd::LinSpaced(S.cols(), 0, 40).array().sin(), u = S * f;
+    EXPECT_LT((matrix * f - u).norm(), 1e-14 * u.norm()) << source;
+  }
+}
+
 // The unit sphere under the load z n, λ = 1: 4/15 alone, times 1 + 5/(4d) − 1/(2d³) beside another
 // at the distance d along z (before they deform).
 TEST(StokesOperator, TwoLoadedSpheresHelpEachOther)

@@ -3,10 +3,10 @@
 #include "solver/Errors.h"
 #include "solver/mesh/Connectivity.h"
 #include "solver/mesh/shapes/GeodesicSphere.h"
-#include "solver/surface/SparseLU.h"
 #include "solver/surface/SurfaceIntegrals.h"
 #include "tests/solver/support/TestMeshes.h"
 
+#include <Eigen/SparseLU>
 #include <gtest/gtest.h>
 
 #include <numbers>

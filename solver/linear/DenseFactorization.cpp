@@ -1,7 +1,8 @@
-#include "solver/dynamics/DenseFactorization.h"
+#include "solver/linear/DenseFactorization.h"
 
 #include "solver/Errors.h"
 #include "solver/ParallelFor.h"
+#include "solver/linear/Blas.h"
 
 #include <cblas.h>
 #include <fmt/format.h>
@@ -33,10 +34,7 @@ void exchange_rows(float* column, const std::vector<int>& pivot, int begin, int 
 
 void DenseFactorization::compute(Matrix matrix)
 {
-  // Our tasks are the threads; OpenBLAS's own would compete with them and change the rounding.
-  static const bool one_thread = (openblas_set_num_threads(1), true);
-  static_cast<void>(one_thread);
-
+  use_one_blas_thread();
   lu_ = std::move(matrix);
   const int n = static_cast<int>(lu_.rows());
   row_scale_ = lu_.cwiseAbs().rowwise().maxCoeff();

@@ -1,4 +1,4 @@
-#include "solver/dynamics/Blas.h"
+#include "solver/linear/Blas.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 extern "C" char* openblas_get_corename(void);
+extern "C" void openblas_set_num_threads(int);
 
 namespace vesicle
 {
@@ -39,6 +40,12 @@ const char* better_kernel([[maybe_unused]] const std::string& chosen)
 std::string blas_kernel()
 {
   return openblas_get_corename();
+}
+
+void use_one_blas_thread()
+{
+  static const bool done = (openblas_set_num_threads(1), true);
+  static_cast<void>(done);
 }
 
 void restart_with_blas_kernel(char** argv)

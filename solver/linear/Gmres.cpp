@@ -1,4 +1,4 @@
-#include "solver/dynamics/Gmres.h"
+#include "solver/linear/Gmres.h"
 
 #include <Eigen/Jacobi>
 

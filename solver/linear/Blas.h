@@ -12,6 +12,10 @@ namespace vesicle
 /// again, once. Does nothing where the variable is set already or not needed.
 void restart_with_blas_kernel(char** argv);
 
+/// From now on OpenBLAS works on the caller's thread alone: our tasks are the threads, its own would
+/// compete with them and change the rounding.
+void use_one_blas_thread();
+
 /// The kernel that OpenBLAS runs ("SkylakeX", "Haswell", …).
 std::string blas_kernel();
 

@@ -1,4 +1,4 @@
-#include "solver/dynamics/DenseFactorization.h"
+#include "solver/linear/DenseFactorization.h"
 
 #include "solver/Errors.h"
 

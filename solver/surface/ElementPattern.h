@@ -1,0 +1,60 @@
+#pragma once
+// Matrices over the nodes that are sums over elements: where their entries are, which the table alone
+// decides, so that a sum needs no sorting.
+
+#include "solver/surface/Basis.h"
+
+namespace vesicle
+{
+
+/// Pairs of nodes that share an element.
+class ElementPattern
+{
+public:
+  explicit ElementPattern(const BasisTable& table);
+
+  /// Rows [begin, end) of the table, which have the same `width` nodes.
+  struct Element
+  {
+    int begin, end, width;
+    Eigen::Index first_pair;
+  };
+  const std::vector<Element>& elements() const { return elements_; }
+  /// Of each element's width² pairs, first nodes by second nodes: their places among all pairs.
+  const std::vector<int>& places() const { return places_; }
+  /// Node i's pairs are those from start[i] to start[i + 1], with the nodes partner[…], ascending.
+  const std::vector<int>& start() const { return start_; }
+  const std::vector<int>& partner() const { return partner_; }
+  int nodes() const { return static_cast<int>(start_.size()) - 1; }
+
+private:
+  std::vector<Element> elements_;
+  std::vector<int> places_, start_, partner_;
+};
+
+/// The table's, or one made now.
+std::shared_ptr<const ElementPattern> pattern_of(const BasisTable& table);
+
+/// The sum, element by element. A pair of nodes has a block of `rows` by `columns` numbers.
+class ElementSum
+{
+public:
+  /// The pattern must outlive the sum.
+  ElementSum(const ElementPattern& pattern, int rows, int columns);
+
+  void begin(const ElementPattern::Element& element);
+  /// factor · a bᵀ to the element begun, a of `rows`, b of `columns` numbers for each of its nodes.
+  void add_outer_product(double factor, const double* a, const double* b);
+  void end();
+
+  SparseMatrix matrix() const;
+
+private:
+  const ElementPattern& pattern_;
+  const ElementPattern::Element* element_ = nullptr;
+  int rows_, columns_;
+  std::vector<double> block_;  ///< of the element begun
+  std::vector<double> values_; ///< of each pair its block, by rows
+};
+
+}
