@@ -17,11 +17,13 @@ Scene::Accuracy Scene::preset(Preset preset)
     case Preset::fast:
       accuracy.basis = Basis::linear;
       accuracy.bending = bending_of(accuracy.basis);
+      accuracy.linear_tolerance = 1e-10; // its factorisation leaves a few iterations
       break;
     case Preset::balanced:
       break;
     case Preset::accurate:
       accuracy.quadrature = 6;
+      accuracy.linear_tolerance = 1e-8;
       break;
   }
   return accuracy;

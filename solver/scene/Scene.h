@@ -98,8 +98,10 @@ struct Scene
     MeshMotion mesh_motion = MeshMotion::equidistribute;
     /// Of meshes that are laid anew; empty: the start's, and four times as many.
     std::optional<int> least_triangles, most_triangles;
-    int quadrature = 3;              ///< points a triangle of the regular rule: 1, 3, 6 or 12
-    double linear_tolerance = 1e-10; ///< relative residual of the linear solves
+    int quadrature = 3; ///< points a triangle of the regular rule: 1, 3, 6 or 12
+    /// Relative residual of the linear solves; on Loop's surface a ten-thousandth of time.tolerance,
+    /// about: a step moves by a few hundredths of r0.
+    double linear_tolerance = 1e-7;
   } accuracy;
   /// The settings that a preset stands for.
   static Accuracy preset(Preset preset);
