@@ -23,8 +23,9 @@ ProjectionResult project_area_and_volume(Points& points, const SurfaceSpace& spa
   ProjectionResult result;
   for (int sweep = 0;; ++sweep)
   {
-    const AreaAndVolume c = area_and_volume(space, points);
-    const Eigen::Vector2d error(volume_only ? 0 : target_area - c.area, target_volume - c.volume);
+    const AreaAndVolume now(space, points);
+    const Eigen::Vector2d error(
+      volume_only ? 0 : target_area - now.area(), target_volume - now.volume());
     const double area = std::abs(error[0]) / target_area,
                  volume = std::abs(error[1]) / target_volume;
     if (sweep == 0)
@@ -33,6 +34,7 @@ ProjectionResult project_area_and_volume(Points& points, const SurfaceSpace& spa
     if ((area <= tolerance && volume <= tolerance) || sweep == max_sweeps)
       return result;
 
+    const AreaAndVolume::Changes c = now.changes();
     Eigen::VectorXd shift;
     if (volume_only)
       shift = error[1] / c.volume_gradient.dot(c.volume_direction) * c.volume_direction;

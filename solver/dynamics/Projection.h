@@ -14,7 +14,7 @@ struct ProjectionResult
   double left = 0;           ///< their sum afterwards: 2e-13 at most, or it did not succeed
 };
 
-/// Moves the nodes along the two directions of AreaAndVolume such that area and volume have their
+/// Moves the nodes along the two directions of AreaAndVolume::Changes such that area and volume have their
 /// targets, both at once (Newton for the two numbers): shifting along n alone for the volume would
 /// spoil the area. With `volume_only` (a sphere, where the two directions coincide, or no
 /// incompressibility) α = 0.

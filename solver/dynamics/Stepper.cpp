@@ -268,12 +268,12 @@ void Stepper::restore_area_and_volume(State& after, const SystemShape& start, St
   for (std::size_t v = 0; v < after.vesicles.size(); ++v)
   {
     const VesicleShape& before = start.vesicles[v];
-    const AreaAndVolume reached = area_and_volume(*before.vesicle->space, after.vesicles[v].points);
+    const AreaAndVolume reached(*before.vesicle->space, after.vesicles[v].points);
     if (before.constraint)
       report.area_change =
-        std::max(report.area_change, std::abs(reached.area / before.surface->area - 1));
+        std::max(report.area_change, std::abs(reached.area() / before.surface->area - 1));
     report.volume_change =
-      std::max(report.volume_change, std::abs(reached.volume / before.surface->volume - 1));
+      std::max(report.volume_change, std::abs(reached.volume() / before.surface->volume - 1));
   }
   if (!reason_to_reject(report, settings_.limits).empty())
     return;

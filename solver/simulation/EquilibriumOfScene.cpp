@@ -42,11 +42,11 @@ SceneEquilibrium equilibrium_of(
     SurfaceBasis::loop, start.triangles, static_cast<int>(start.points.rows()));
   const MembraneTerms terms = membrane_terms(scene, space, scales);
   const Points points = start.points / scales.length;
-  const AreaAndVolume kept = area_and_volume(space, points);
+  const AreaAndVolume kept(space, points);
   if (nearly_sphere(Surface(space, points)))
     throw InputError(fmt::format(
       "scene '{}' starts from a sphere, which is all that its area and volume allow", scene.name));
-  const EnergyProblem problem{ space, terms, kept.area, kept.volume };
+  const EnergyProblem problem{ space, terms, kept.area(), kept.volume() };
   Equilibrium equilibrium = equilibrium_below(problem, points, observer);
   if (follow && !equilibrium.stable())
     equilibrium =

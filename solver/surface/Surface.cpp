@@ -143,21 +143,25 @@ bool nearly_sphere(const Surface& surface)
   return radius.maxCoeff() - radius.minCoeff() < deviation * radius.mean();
 }
 
-AreaAndVolume area_and_volume(const SurfaceSpace& space, const Points& vertices)
+AreaAndVolume::AreaAndVolume(const SurfaceSpace& space, const Points& vertices)
+  : space_(space), control_(rows_of_three(space.collocation().to_control(flat(vertices)))),
+    surface_(evaluate(space.table(), control_)), area_(vesicle::area(surface_)),
+    volume_(vesicle::volume(space.table(), surface_))
 {
-  const BasisTable& table = space.table();
-  const Collocation& collocation = space.collocation();
-  const Points control = rows_of_three(collocation.to_control(flat(vertices)));
-  const SurfacePoints surface = evaluate(table, control);
-  const Eigen::VectorXd mass = vertex_areas(table, surface);
-  AreaAndVolume c{ area(surface), volume(table, surface),
-    collocation.from_control(area_gradient(table, surface)),
-    collocation.from_control(volume_gradient(table, surface)), {}, {} };
-  if (space.smooth())
+}
+
+AreaAndVolume::Changes AreaAndVolume::changes() const
+{
+  const BasisTable& table = space_.table();
+  const Collocation& collocation = space_.collocation();
+  const Eigen::VectorXd mass = vertex_areas(table, surface_);
+  Changes c{ collocation.from_control(area_gradient(table, surface_)),
+    collocation.from_control(volume_gradient(table, surface_)), {}, {} };
+  if (space_.smooth())
   {
-    const Points normal = space.basis().vertex_normals(control);
+    const Points normal = space_.basis().vertex_normals(control_);
     const Eigen::VectorXd mean =
-      moments(table, surface, mean_curvature(table, surface, control)).cwiseQuotient(mass);
+      moments(table, surface_, mean_curvature(table, surface_, control_)).cwiseQuotient(mass);
     c.area_direction = scaled_rows(normal, 2 * mean);
     c.volume_direction = flat(normal);
   }

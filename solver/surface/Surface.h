@@ -102,13 +102,29 @@ Eigen::VectorXd squared_curvature(const Surface& surface);
 /// sphere's, its square, is then below 1e-6 and far below what the mesh resolves.
 bool nearly_sphere(const Surface& surface);
 
-/// Area and volume of a shape, their derivatives, and directions in which a shape is corrected.
-struct AreaAndVolume
+/// Area and volume of a shape.
+class AreaAndVolume
 {
-  double area, volume;
-  Eigen::VectorXd area_gradient, volume_gradient;   ///< ∂A/∂x, ∂V/∂x
-  Eigen::VectorXd area_direction, volume_direction; ///< about 2 H n and n
+public:
+  /// The space must outlive it.
+  AreaAndVolume(const SurfaceSpace& space, const Points& vertices);
+
+  double area() const { return area_; }
+  double volume() const { return volume_; }
+
+  /// Their derivatives, and directions in which a shape is corrected.
+  struct Changes
+  {
+    Eigen::VectorXd area_gradient, volume_gradient;   ///< ∂A/∂x, ∂V/∂x
+    Eigen::VectorXd area_direction, volume_direction; ///< about 2 H n and n
+  };
+  Changes changes() const;
+
+private:
+  const SurfaceSpace& space_;
+  Points control_;
+  SurfacePoints surface_;
+  double area_, volume_;
 };
-AreaAndVolume area_and_volume(const SurfaceSpace& space, const Points& vertices);
 
 }

@@ -24,11 +24,10 @@ SurfaceMeasures loop_measures(const TriangleMesh& mesh)
 {
   const SurfaceSpace space(
     SurfaceBasis::loop, mesh.triangles, static_cast<int>(mesh.points.rows()));
-  const AreaAndVolume c = area_and_volume(space, mesh.points);
   const Points control = space.collocation().fit(mesh.points);
   const BasisTable& table = space.table();
   const SurfacePoints points = evaluate(table, control);
-  return { c.area, c.volume,
+  return { area(points), volume(table, points),
     2 * points.area_weight.dot(mean_curvature(table, points, control).cwiseAbs2()) };
 }
 

@@ -42,12 +42,12 @@ TEST(Projection, OnALimitSurface)
 {
   const TriangleMesh mesh = test::mapped(test::smooth_sphere(320), test::ellipsoid_2_1_1);
   const SurfaceSpace loop(SurfaceBasis::loop, mesh.triangles, static_cast<int>(mesh.points.rows()));
-  const AreaAndVolume before = area_and_volume(loop, mesh.points);
+  const AreaAndVolume before(loop, mesh.points);
   Points points = mesh.points;
-  project_area_and_volume(points, loop, 1.001 * before.area, 0.9995 * before.volume, false);
-  const AreaAndVolume after = area_and_volume(loop, points);
-  EXPECT_NEAR(after.area / before.area, 1.001, 1e-12);
-  EXPECT_NEAR(after.volume / before.volume, 0.9995, 1e-12);
+  project_area_and_volume(points, loop, 1.001 * before.area(), 0.9995 * before.volume(), false);
+  const AreaAndVolume after(loop, points);
+  EXPECT_NEAR(after.area() / before.area(), 1.001, 1e-12);
+  EXPECT_NEAR(after.volume() / before.volume(), 0.9995, 1e-12);
 }
 
 TEST(Projection, OnASphereOnlyTheVolumeIsSet)
