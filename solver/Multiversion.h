@@ -9,3 +9,5 @@
 #else
 #define VESICLE_MULTIVERSION
 #endif
+/// Inlined into each of its callers' versions.
+#define VESICLE_INLINE inline __attribute__((always_inline))

@@ -7,7 +7,9 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace vesicle
@@ -44,15 +46,9 @@ Variation own_variation(const MembraneTerms& terms, const Surface& surface)
     {
       Variation variation = term->variation(surface);
       sum.gradient += variation.gradient;
-      if (term->stiff())
-        sum.rates = std::move(variation.rates); // bending's, the only one that is
+      std::move(variation.rates.begin(), variation.rates.end(), std::back_inserter(sum.rates));
     }
   return sum;
-}
-
-Eigen::VectorXd control_area_gradient(const Surface& surface)
-{
-  return surface.area_rate.transpose() * Eigen::VectorXd::Ones(surface.vertices.rows());
 }
 
 // M/(λ h⁴); h at the vertices.
@@ -120,7 +116,7 @@ Points smoothed(const SurfaceSpace& space, const MembraneTerms& terms, const Ada
   const SparseMatrix D = along_normals(surface),
                      stiffness = gauss_newton_matrix(space.table(), variation.rates);
   Eigen::MatrixXd constraints(points.rows(), 2);
-  constraints << D.transpose() * control_area_gradient(surface),
+  constraints << D.transpose() * area_gradient(surface.space->table(), surface.points),
     D.transpose() * volume_gradient(space.table(), surface.points);
   BorderedSystem system;
   system.compute(resistance(surface, longer_edges(surface, mesh, original)) +
@@ -196,7 +192,8 @@ private:
   {
     const int count = with_energy_ ? 3 : 2;
     Eigen::MatrixXd G(surface.vertices.rows(), count);
-    G.col(0) = along_normals(surface, control_area_gradient(surface)) / wanted_.area;
+    G.col(0) =
+      along_normals(surface, area_gradient(surface.space->table(), surface.points)) / wanted_.area;
     G.col(1) =
       along_normals(surface, volume_gradient(space_.table(), surface.points)) / wanted_.volume;
     if (with_energy_)

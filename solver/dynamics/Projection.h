@@ -14,9 +14,9 @@ struct ProjectionResult
   double left = 0;           ///< their sum afterwards: 2e-13 at most, or it did not succeed
 };
 
-/// Moves the nodes along the two directions of AreaAndVolume::Changes such that area and volume have their
-/// targets, both at once (Newton for the two numbers): shifting along n alone for the volume would
-/// spoil the area. With `volume_only` (a sphere, where the two directions coincide, or no
+/// Moves the nodes along the two directions of AreaAndVolume::Changes such that area and volume have
+/// their targets, both at once (Newton for the two numbers): shifting along n alone for the volume
+/// would spoil the area. With `volume_only` (a sphere, where the two directions coincide, or no
 /// incompressibility) α = 0.
 ProjectionResult project_area_and_volume(
   Points& points, const SurfaceSpace& space, double area, double volume, bool volume_only);

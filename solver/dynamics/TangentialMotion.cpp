@@ -149,7 +149,8 @@ Eigen::VectorXd tangential_motion(const VesicleLoads& loads, const Eigen::Vector
     form.weighted(gathered(form.tangents(), wanted)) - form.stiffness(otherwise);
   const std::array<const Eigen::VectorXd*, 4> right_sides{ &a, &v, &g, &drive };
   std::array<Eigen::VectorXd, 4> solved;
-  parallel_for(4, [&](int i) { solved[i] = form.solve(*right_sides[i]); });
+  parallel_for(
+    static_cast<int>(solved.size()), [&](int i) { solved[i] = form.solve(*right_sides[i]); });
   const auto& [a_solved, v_solved, g_alone, drive_alone] = solved;
   const auto neutral = [&](Eigen::VectorXd d) -> Eigen::VectorXd
   {

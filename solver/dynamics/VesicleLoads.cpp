@@ -39,7 +39,7 @@ VesicleLoads::VesicleLoads(const Vesicle& vesicle, const Surface& surface,
     stiffness_ = gauss_newton_matrix(table, rates);
   volume_gradient_ = vesicle::volume_gradient(table, surface.points);
   volume_rate_ = motion_.adjoint(volume_gradient_);
-  area_gradient_ = surface.area_rate.transpose() * Eigen::VectorXd::Ones(surface.vertices.rows());
+  area_gradient_ = vesicle::area_gradient(table, surface.points);
   area_share_ = motion_.adjoint(area_gradient_) - area_gradient_;
   if (constraint_ && constraint_->gauge_pinned)
     hold_taut(rate);

@@ -120,33 +120,16 @@ void subtract_outer_product(Scalar* U, int rows, const Scalar* L, int height, in
 }
 
 // The solves are a few thousand operations on panels that lie in the caches: OpenBLAS's calls would
-// cost as much as the work. Inlined into each of their callers' versions.
-#define VESICLE_INLINE inline __attribute__((always_inline))
-
+// cost as much as the work.
 namespace
 {
 
-// y += A x
 template<class Scalar>
-VESICLE_INLINE void add_product(
-  const Scalar* A, int height, int rows, int columns, const Scalar* x, Scalar* y)
+VESICLE_INLINE void subtract_multiple(const Scalar* a, Scalar factor, Scalar* from, int n)
 {
-  int j = 0;
-  for (; j + 4 <= columns; j += 4, A += 4L * height)
-  {
-    const Scalar *b = A + height, *c = b + height, *d = c + height;
-    const Scalar x0 = x[j], x1 = x[j + 1], x2 = x[j + 2], x3 = x[j + 3];
 #pragma omp simd
-    for (int i = 0; i < rows; ++i)
-      y[i] += (A[i] * x0 + b[i] * x1) + (c[i] * x2 + d[i] * x3);
-  }
-  for (; j < columns; ++j, A += height)
-  {
-    const Scalar factor = x[j];
-#pragma omp simd
-    for (int i = 0; i < rows; ++i)
-      y[i] += A[i] * factor;
-  }
+  for (int i = 0; i < n; ++i)
+    from[i] -= factor * a[i];
 }
 
 template<class Scalar>
@@ -159,59 +142,25 @@ VESICLE_INLINE Scalar dot(const Scalar* a, const Scalar* b, int n)
   return sum;
 }
 
-// x −= Aᵀ y
-template<class Scalar>
-VESICLE_INLINE void subtract_transposed(
-  const Scalar* A, int height, int rows, int columns, const Scalar* y, Scalar* x)
-{
-  int j = 0;
-  for (; j + 4 <= columns; j += 4, A += 4L * height)
-  {
-    const Scalar *b = A + height, *c = b + height, *d = c + height;
-    Scalar s0 = 0, s1 = 0, s2 = 0, s3 = 0;
-#pragma omp simd reduction(+ : s0, s1, s2, s3)
-    for (int i = 0; i < rows; ++i)
-    {
-      s0 += A[i] * y[i];
-      s1 += b[i] * y[i];
-      s2 += c[i] * y[i];
-      s3 += d[i] * y[i];
-    }
-    x[j] -= s0;
-    x[j + 1] -= s1;
-    x[j + 2] -= s2;
-    x[j + 3] -= s3;
-  }
-  for (; j < columns; ++j, A += height)
-    x[j] -= dot(A, y, rows);
-}
-
 template<class Scalar>
 VESICLE_INLINE void forward(const Scalar* panel, int height, int columns, Scalar* x, Scalar* below)
 {
-  for (int j = 0; j < columns; ++j)
+  for (int j = 0; j < columns; ++j, panel += height)
   {
-    const Scalar* column = panel + static_cast<long>(j) * height;
-    const Scalar factor = x[j];
-#pragma omp simd
-    for (int i = j + 1; i < columns; ++i)
-      x[i] -= column[i] * factor;
+    subtract_multiple(panel + j + 1, x[j], x + j + 1, columns - j - 1);
+    subtract_multiple(panel + columns, x[j], below, height - columns);
   }
-  const int rows = height - columns;
-  for (int i = 0; i < rows; ++i)
-    below[i] = 0;
-  add_product(panel + columns, height, rows, columns, x, below);
 }
 
 template<class Scalar>
 VESICLE_INLINE void backward(
   const Scalar* panel, int height, int columns, Scalar* x, const Scalar* below)
 {
-  subtract_transposed(panel + columns, height, height - columns, columns, below, x);
-  for (int j = columns - 2; j >= 0; --j)
+  for (int j = columns - 1; j >= 0; --j)
   {
-    const int next = j + 1;
-    x[j] -= dot(panel + static_cast<long>(j) * height + next, x + next, columns - next);
+    const Scalar* column = panel + static_cast<long>(j) * height;
+    x[j] -= dot(column + columns, below, height - columns) +
+      dot(column + j + 1, x + j + 1, columns - j - 1);
   }
 }
 

@@ -18,8 +18,8 @@ template<class Scalar>
 void subtract_outer_product(Scalar* U, int rows, const Scalar* L, int height, int columns,
   const Scalar* pivots, std::vector<Scalar>& work);
 
-/// x ← L⁻¹ x of the unit lower triangle on top of a panel; below = A x of the rows under it. Hidden: a
-/// program and a shared library that both hold the solver each choose their own instruction set.
+/// x ← L⁻¹ x of the unit lower triangle on top of a panel; below ← below − A x of the rows under it.
+/// Hidden: a program and a shared library that both hold the solver each choose their own instruction set.
 [[gnu::visibility("hidden")]] void solve_forward(
   const double* panel, int height, int columns, double* x, double* below);
 [[gnu::visibility("hidden")]] void solve_forward(

@@ -97,9 +97,11 @@ void SupernodalCholesky<Scalar>::solve_in_place(Columns& x) const
     {
       const Scalar* panel = panels_.data() + s.offset;
       const int rows = static_cast<int>(s.rows.size());
+      for (int i = 0; i < rows; ++i)
+        below[i] = column[s.rows[i]];
       solve_forward(panel, s.height(), s.columns, column + s.first, below.data());
       for (int i = 0; i < rows; ++i)
-        column[s.rows[i]] -= below[i];
+        column[s.rows[i]] = below[i];
     }
     x.col(c).array() /= pivots_.array();
     for (auto s = supernodes.rbegin(); s != supernodes.rend(); ++s)

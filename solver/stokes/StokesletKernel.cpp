@@ -13,9 +13,6 @@ namespace
 using Lanes = double __attribute__((vector_size(8 * stokeslet_lanes)));
 using LaneBits = long long __attribute__((vector_size(8 * stokeslet_lanes)));
 
-// Inlined into each of its callers' versions.
-#define VESICLE_INLINE inline __attribute__((always_inline))
-
 struct Targets
 {
   Lanes x, y, z, mask;

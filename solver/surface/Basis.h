@@ -30,8 +30,8 @@ struct BasisTable
   std::vector<int> node;             ///< of each entry
   std::vector<double> value, du, dv; ///< N_k, ∂N_k/∂u, ∂N_k/∂v of each entry
   std::vector<double> duu, duv, dvv; ///< second derivatives; empty for linear elements
-  std::shared_ptr<const ElementPattern>
-    pattern; ///< of matrices over the nodes; none: made each time
+  /// Of matrices over the nodes; none: made each time.
+  std::shared_ptr<const ElementPattern> pattern;
 
   int rows() const { return static_cast<int>(weight.size()); }
 };

@@ -35,7 +35,8 @@ private:
 /// The table's, or one made now.
 std::shared_ptr<const ElementPattern> pattern_of(const BasisTable& table);
 
-/// The sum, element by element. A pair of nodes has a block of `rows` by `columns` numbers.
+/// A sum, element by element (element_sum()). A pair of nodes has a block of `rows` by `columns`
+/// numbers.
 class ElementSum
 {
 public:
@@ -56,5 +57,22 @@ private:
   std::vector<double> block_;  ///< of the element begun
   std::vector<double> values_; ///< of each pair its block, by rows
 };
+
+/// The matrix to which add(sum, row, first entry, width) adds the outer products of each row of the
+/// table, `rows` times N by `columns` times N.
+template<class Add>
+SparseMatrix element_sum(const BasisTable& table, int rows, int columns, Add add)
+{
+  const auto pattern = pattern_of(table);
+  ElementSum sum(*pattern, rows, columns);
+  for (const ElementPattern::Element& e : pattern->elements())
+  {
+    sum.begin(e);
+    for (int q = e.begin; q < e.end; ++q)
+      add(sum, q, table.start[q], e.width);
+    sum.end();
+  }
+  return sum.matrix();
+}
 
 }

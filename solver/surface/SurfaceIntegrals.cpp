@@ -180,36 +180,29 @@ Eigen::VectorXd vertex_areas(const BasisTable& table, const SurfacePoints& s)
 
 SparseMatrix area_rate_matrix(const BasisTable& table, const SurfacePoints& s)
 {
-  const auto pattern = pattern_of(table);
-  ElementSum sum(*pattern, 1, 3);
   Points gradients;
-  for (const ElementPattern::Element& e : pattern->elements())
-  {
-    gradients.resize(e.width, 3);
-    sum.begin(e);
-    for (int q = e.begin; q < e.end; ++q)
+  return element_sum(table, 1, 3,
+    [&](ElementSum& sum, int q, int first, int width)
     {
       const ScaledGradient gradient(table, s, q);
-      for (int j = 0; j < e.width; ++j)
-        gradients.row(j) = gradient.of(table, table.start[q] + j);
-      sum.add_outer_product(1, table.value.data() + table.start[q], gradients.data());
-    }
-    sum.end();
-  }
-  return sum.matrix();
+      gradients.resize(width, 3);
+      for (int j = 0; j < width; ++j)
+        gradients.row(j) = gradient.of(table, first + j);
+      sum.add_outer_product(1, table.value.data() + first, gradients.data());
+    });
 }
 
 // The functions N_k add up to 1.
 Eigen::VectorXd area_gradient(const BasisTable& table, const SurfacePoints& s)
 {
-  Points sum = Points::Zero(table.nodes, 3);
+  Points total = Points::Zero(table.nodes, 3);
   for (int q = 0; q < table.rows(); ++q)
   {
     const ScaledGradient gradient(table, s, q);
     for (int k = table.start[q]; k < table.start[q + 1]; ++k)
-      sum.row(table.node[k]) += gradient.of(table, k);
+      total.row(table.node[k]) += gradient.of(table, k);
   }
-  return sum.reshaped<Eigen::RowMajor>();
+  return total.reshaped<Eigen::RowMajor>();
 }
 
 Eigen::VectorXd volume_gradient(const BasisTable& table, const SurfacePoints& s)

@@ -40,20 +40,15 @@ PointCurvature point_curvature(
 
 SparseMatrix gauss_newton_matrix(const BasisTable& table, const std::vector<EntryVectors>& rates)
 {
-  const auto pattern = pattern_of(table);
-  ElementSum sum(*pattern, 3, 3);
-  for (const ElementPattern::Element& e : pattern->elements())
-  {
-    sum.begin(e);
-    for (const EntryVectors& R : rates)
-      for (int q = e.begin; q < e.end; ++q)
+  return element_sum(table, 3, 3,
+    [&](ElementSum& sum, int, int first, int)
+    {
+      for (const EntryVectors& R : rates)
       {
-        const double* row = R.data() + 3L * table.start[q];
+        const double* row = R.data() + 3L * first;
         sum.add_outer_product(2, row, row);
       }
-    sum.end();
-  }
-  return sum.matrix();
+    });
 }
 
 SparseMatrix mass_matrix(const BasisTable& table, const SurfacePoints& surface)

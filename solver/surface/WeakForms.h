@@ -43,22 +43,15 @@ Eigen::VectorXd moments(
 template<class Value>
 SparseMatrix gram_matrix(const BasisTable& table, const SurfacePoints& surface, Value value)
 {
-  const auto pattern = pattern_of(table);
-  ElementSum sum(*pattern, 1, 1);
   std::vector<double> a;
-  for (const ElementPattern::Element& e : pattern->elements())
-  {
-    a.resize(e.width);
-    sum.begin(e);
-    for (int q = e.begin; q < e.end; ++q)
+  return element_sum(table, 1, 1,
+    [&](ElementSum& sum, int q, int first, int width)
     {
-      for (int k = 0; k < e.width; ++k)
-        a[k] = value(q, table.start[q] + k);
+      a.resize(width);
+      for (int k = 0; k < width; ++k)
+        a[k] = value(q, first + k);
       sum.add_outer_product(surface.area_weight[q], a.data(), a.data());
-    }
-    sum.end();
-  }
-  return sum.matrix();
+    });
 }
 
 }

@@ -4,9 +4,9 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 #include <vector>
-#include <cmath>
 
 namespace vesicle
 {
@@ -174,8 +174,8 @@ TEST(SparseCholesky, SingularMatricesAreToldApart)
   EXPECT_FALSE(SparseCholesky(matrix(1, { { 0, 0, std::nan("") } })).regular());
 }
 
-// What is stored too is few: the factor of a matrix full in its last row and column has no more
-// entries than the matrix.
+// The factor of a matrix that is full in one row and column has no more entries than the matrix, where
+// that one goes last; up to four are stored for each (four columns may go together whatever is zero).
 TEST(EliminationPlan, AnArrowFillsNothingIn)
 {
   constexpr int size = 200;
