@@ -151,7 +151,7 @@ Eigen::VectorXd tangential_motion(const VesicleLoads& loads, const Eigen::Vector
   std::array<Eigen::VectorXd, 4> solved;
   parallel_for(
     static_cast<int>(solved.size()), [&](int i) { solved[i] = form.solve(*right_sides[i]); });
-  const auto& [a_solved, v_solved, g_alone, drive_alone] = solved;
+  const Eigen::VectorXd &a_solved = solved[0], &v_solved = solved[1];
   const auto neutral = [&](Eigen::VectorXd d) -> Eigen::VectorXd
   {
     Eigen::Matrix2d J;
@@ -159,8 +159,8 @@ Eigen::VectorXd tangential_motion(const VesicleLoads& loads, const Eigen::Vector
     const Eigen::Vector2d x = J.fullPivLu().solve(Eigen::Vector2d(a.dot(d), v.dot(d)));
     return d - x[0] * a_solved - x[1] * v_solved;
   };
-  const Eigen::VectorXd g_solved = neutral(g_alone);
-  Eigen::VectorXd d = neutral(drive_alone) - g_solved;
+  const Eigen::VectorXd g_solved = neutral(solved[2]);
+  Eigen::VectorXd d = neutral(solved[3]) - g_solved;
   const double rise = g.dot(d), excess = rise - largest_share * std::max(0., released);
   if (excess > 0 && g.dot(g_solved) > 0)
     d -= excess / g.dot(g_solved) * g_solved;
