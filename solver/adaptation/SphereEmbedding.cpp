@@ -143,7 +143,7 @@ void SphereEmbedding::turn(const Eigen::VectorXd& weights)
   const Matrix3 second =
     directions_.transpose() * (weights / weights.sum()).asDiagonal() * directions_;
   const Eigen::SelfAdjointEigenSolver<Matrix3> solver(second);
-  const Eigen::Vector3d values = solver.eigenvalues();
+  const Eigen::Vector3d& values = solver.eigenvalues();
   const int along = values[2] - values[1] > values[1] - values[0] ? 2 : 0;
   Matrix3 axes;
   axes.col(2) = solver.eigenvectors().col(along);

@@ -202,7 +202,7 @@ StageSolution LoadStage::solution_of(const std::vector<LoadUnknowns>& x, int ite
   for (std::size_t v = 0; v < count(); ++v)
   {
     const VesicleLoads& own = loads(v);
-    total.push_back(known_load_[v] + load_of(v, x[v]));
+    total.emplace_back(known_load_[v] + load_of(v, x[v]));
     StageSolution::Part& part = result.vesicles.emplace_back();
     part.tension = x[v].tension;
     part.volume_speed = x[v].volume_speed;

@@ -77,8 +77,8 @@ StageSolution LoadStages::solve(const SystemShape& shape, const Stage& stage, St
     if (shape.vesicles[v].loads->taut() || (shape.vesicles[v].loads->stiff() && stage.tau > 0))
       preconditioners_[v].build_stiff(*shape.vesicles[v].loads, stage.tau);
   const StokesOperator layer = layer_of(shape);
-  const StageSolution solution = LoadStage(shape, map_of(layer), stage.tau, stage.reference)
-                                   .solve(preconditioners_, stage.tolerance, max_iterations);
+  StageSolution solution = LoadStage(shape, map_of(layer), stage.tau, stage.reference)
+                             .solve(preconditioners_, stage.tolerance, max_iterations);
   state.iterations += solution.iterations;
   if (solution.iterations > stale_iterations)
     kept.step = 0; // the next solve makes a new one

@@ -152,7 +152,7 @@ Eigen::VectorXd tangential_motion(const VesicleLoads& loads, const Eigen::Vector
   parallel_for(
     static_cast<int>(solved.size()), [&](int i) { solved[i] = form.solve(*right_sides[i]); });
   const Eigen::VectorXd &a_solved = solved[0], &v_solved = solved[1];
-  const auto neutral = [&](Eigen::VectorXd d) -> Eigen::VectorXd
+  const auto neutral = [&](const Eigen::VectorXd& d) -> Eigen::VectorXd
   {
     Eigen::Matrix2d J;
     J << a.dot(a_solved), a.dot(v_solved), v.dot(a_solved), v.dot(v_solved);

@@ -29,7 +29,7 @@ VesicleLoads::VesicleLoads(const Vesicle& vesicle, const Surface& surface,
   for (const auto& term : vesicle.terms)
   {
     Variation variation = term->variation(surface);
-    loads_.push_back(-motion_.adjoint(variation.gradient));
+    loads_.emplace_back(-motion_.adjoint(variation.gradient));
     if (!term->external())
       gradient_ += variation.gradient;
     std::move(variation.rates.begin(), variation.rates.end(), std::back_inserter(rates));

@@ -196,7 +196,7 @@ Eigen::MatrixXd basis_of(EquilibriumBranch branch)
   for (int i = 0; i < n - 1; ++i)
   {
     if (!symmetric)
-      columns.push_back(Eigen::VectorXd::Unit(size, i));
+      columns.emplace_back(Eigen::VectorXd::Unit(size, i));
     else if (i <= n - 2 - i)
       add(i, n - 2 - i, 1);
   }

@@ -61,7 +61,7 @@ GmresResult gmres(const LinearMap& A, const LinearMap& preconditioner, const Eig
     ++k;
     if (!(h > 0))
       break; // the solution lies in the space spanned
-    basis.push_back(w / h);
+    basis.emplace_back(w / h);
   }
 
   const Eigen::VectorXd y = coefficients();

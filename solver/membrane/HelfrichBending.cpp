@@ -70,7 +70,7 @@ TermForce CotanBending::force(const Surface& surface) const
     linearised(bending_matrix(*surface.cotan, curvature, c0_), curvature.normal) };
 }
 
-SparseMatrix CotanBending::linearised(SparseMatrix response, const Points& normal) const
+SparseMatrix CotanBending::linearised(const SparseMatrix& response, const Points& normal) const
 {
   return normal_part(response, normal);
 }

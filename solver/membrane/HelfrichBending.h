@@ -44,7 +44,7 @@ public:
 protected:
   virtual NormalScheme normals() const { return NormalScheme::area_weighted; }
   /// `response` is the C of (25), N by 3N.
-  virtual SparseMatrix linearised(SparseMatrix response, const Points& normal) const;
+  virtual SparseMatrix linearised(const SparseMatrix& response, const Points& normal) const;
 
 private:
   double c0_;

@@ -18,7 +18,10 @@ public:
 
 protected:
   NormalScheme normals() const override { return NormalScheme::curvature; }
-  SparseMatrix linearised(SparseMatrix response, const Points&) const override { return response; }
+  SparseMatrix linearised(const SparseMatrix& response, const Points&) const override
+  {
+    return response;
+  }
 };
 
 /// Rows D of (28)–(31), force F_γ of (32)–(35).

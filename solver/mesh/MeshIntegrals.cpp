@@ -59,7 +59,7 @@ Vector3 volume_centroid(const TriangleMesh& mesh)
     volume += tetrahedron;
     moment += tetrahedron * (a + b + c) / 4;
   }
-  const Vector3 centroid = origin + moment / volume;
+  Vector3 centroid = origin + moment / volume;
   if (!centroid.allFinite())
   {
     throw InputError("the mesh encloses no volume, so that its volume has no centroid: a closed "

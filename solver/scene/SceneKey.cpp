@@ -45,7 +45,9 @@ SceneKey SceneKey::with(std::vector<std::string> some_variants) const
 SceneKey SceneKey::required(std::string wanted, std::vector<std::string> by) const
 {
   SceneKey key = *this;
-  key.missing = wanted.empty() ? allowed : std::move(wanted);
+  if (wanted.empty())
+    wanted = allowed;
+  key.missing = std::move(wanted);
   key.needed_by = std::move(by);
   return key;
 }

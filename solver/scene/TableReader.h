@@ -131,6 +131,7 @@ void TableReader::read(
   if (!has(key))
     return;
   std::vector<std::string> words;
+  words.reserve(n);
   for (const auto& choice : choices)
     words.emplace_back(choice.name);
   target = choices[choose(key, at(key), words)].choice;

@@ -23,6 +23,7 @@ const std::string from_file = "file";
 std::vector<std::string> shape_words()
 {
   std::vector<std::string> words;
+  words.reserve(shape_kinds.size());
   for (const Kind kind : shape_kinds)
     words.push_back(shape_name(kind));
   return words;

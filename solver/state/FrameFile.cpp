@@ -41,10 +41,9 @@ void write_arrays(hid_t file, const std::string& group, const std::vector<FrameA
 std::vector<FrameLayout::Array> layout_of(const std::vector<FrameArray>& arrays)
 {
   std::vector<FrameLayout::Array> result;
+  result.reserve(arrays.size());
   for (const auto& [name, values] : arrays)
-  {
     result.push_back({ name, values.cols() });
-  }
   std::sort(
     result.begin(), result.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
   return result;

@@ -63,8 +63,7 @@ Eigen::Matrix<double, terms, terms> interpolation()
 // Of a part's four parts: its corners, in the part's coordinates. The middle one is turned by half a turn.
 std::array<Vector3, 3> corners_of_part(const std::array<Vector3, 3>& of, int part)
 {
-  const std::array<Vector3, 3> middle{ (of[1] + of[2]) / 2, (of[2] + of[0]) / 2,
-    (of[0] + of[1]) / 2 };
+  std::array<Vector3, 3> middle{ (of[1] + of[2]) / 2, (of[2] + of[0]) / 2, (of[0] + of[1]) / 2 };
   if (part == 3)
     return middle;
   std::array<Vector3, 3> corners = middle;

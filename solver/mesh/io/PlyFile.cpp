@@ -45,7 +45,7 @@ constexpr std::array type_names{ TypeName{ "char", Type::int8 }, TypeName{ "int8
 template<typename Use>
 auto with_type(Type type, Use use)
 {
-  switch (type)
+  switch (type) // NOLINT(bugprone-branch-clone): each of another type
   {
     case Type::int8:
       return use(std::int8_t());

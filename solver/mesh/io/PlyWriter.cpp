@@ -80,6 +80,7 @@ std::vector<std::string> column_names(const DataArray& array)
   if (array.components == 1)
     return { as_word(array.name) };
   std::vector<std::string> names;
+  names.reserve(array.components);
   for (int k = 0; k < array.components; ++k)
     names.push_back(fmt::format("{}_{}", as_word(array.name), k));
   return names;

@@ -50,6 +50,7 @@ std::vector<int> EditableMesh::edges_between(double low, double high, const Edge
   }
   std::ranges::sort(found);
   std::vector<int> result;
+  result.reserve(found.size());
   for (const auto& [rounded_length, e] : found)
     result.push_back(e);
   return result;

@@ -95,7 +95,7 @@ Eigen::Matrix2d unit_spread(const Eigen::Matrix2d& moments)
 /// 1/d.
 Vector3 NormalFit::normal(int i) const
 {
-  const Vector3 up = averages_.row(i);
+  Vector3 up = averages_.row(i);
   const std::vector<int> ring = two_ring(i);
   const int count = static_cast<int>(ring.size());
   if (count < fewest_neighbours)
