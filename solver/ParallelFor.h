@@ -15,6 +15,9 @@
 #include <tbb/parallel_for.h>
 #endif
 
+#include <functional>
+#include <initializer_list>
+
 namespace vesicle
 {
 
@@ -63,5 +66,11 @@ void parallel_for(Index count, const Body& body, Index grain = 1)
     });
 }
 #endif
+
+/// The tasks, which share nothing, side by side; returns when all are done.
+inline void run_together(std::initializer_list<std::function<void()>> tasks)
+{
+  parallel_for(tasks.size(), [&](std::size_t i) { tasks.begin()[i](); });
+}
 
 }

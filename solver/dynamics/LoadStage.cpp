@@ -11,8 +11,8 @@
 namespace vesicle
 {
 
-LoadStage::LoadStage(
-  const SystemShape& shape, LayerMap layer, double tau, const Eigen::VectorXd& reference)
+LoadStage::LoadStage(const SystemShape& shape, LayerMap layer, double tau,
+  const Eigen::VectorXd& reference, const State& guess)
   : shape_(shape), layer_(std::move(layer)), tau_(tau)
 {
   std::vector<Eigen::VectorXd> scales;
@@ -27,6 +27,7 @@ LoadStage::LoadStage(
         : Eigen::VectorXd());
     if (reference_load_.back().size() > 0)
       known_load_.back() += reference_load_.back();
+    guess_.push_back(unknowns_of(v, guess));
 
     // Rows as velocities: a residual of 1 is an error of the velocity of about 1.
     const Eigen::Index parameters = has_parameters(v) ? own.motion().size() : 0,
@@ -42,7 +43,6 @@ LoadStage::LoadStage(
   scale_.resize(unknowns());
   for (std::size_t v = 0; v < count(); ++v)
     scale_.segment(first_[v], scales[v].size()) = scales[v];
-  known_velocity_ = shape.imposed + velocity_of(known_load_, std::vector<LoadUnknowns>(count()));
 }
 
 std::vector<LoadUnknowns> LoadStage::split(const Eigen::VectorXd& x) const
@@ -86,6 +86,27 @@ Eigen::VectorXd LoadStage::join(const std::vector<LoadUnknowns>& parts) const
   return x;
 }
 
+LoadUnknowns LoadStage::unknowns_of(std::size_t v, const State& guess) const
+{
+  const VesicleLoads& own = loads(v);
+  const Eigen::Index n = own.surface().vertices.rows();
+  LoadUnknowns x;
+  if (has_parameters(v))
+    x.parameters = Eigen::VectorXd::Zero(own.motion().size());
+  if (own.has_tension())
+    x.tension = Eigen::VectorXd::Zero(n);
+  if (v >= guess.vesicles.size() || guess.vesicles[v].velocity.rows() != n)
+    return x;
+  const VesicleState& near = guess.vesicles[v];
+  if (has_parameters(v))
+    x.parameters = own.motion().parameters(flat(near.velocity));
+  if (own.has_tension() && near.tension.size() == n)
+    x.tension = near.tension;
+  x.pressure = near.pressure;
+  x.volume_speed = near.volume_speed;
+  return x;
+}
+
 bool LoadStage::has_parameters(std::size_t v) const
 {
   return (loads(v).stiff() && tau_ > 0) || loads(v).taut();
@@ -115,13 +136,13 @@ Eigen::VectorXd LoadStage::load_of(std::size_t v, const LoadUnknowns& x) const
   return load;
 }
 
-Eigen::VectorXd LoadStage::velocity_of(
-  const std::vector<Eigen::VectorXd>& loads, const std::vector<LoadUnknowns>& x) const
+Eigen::VectorXd LoadStage::velocity_of(const std::vector<Eigen::VectorXd>& loads,
+  const std::vector<LoadUnknowns>& x, Precision precision) const
 {
   std::vector<Eigen::VectorXd> densities;
   for (std::size_t v = 0; v < loads.size(); ++v)
     densities.push_back(this->loads(v).density(loads[v]));
-  Eigen::VectorXd velocity = layer_(densities);
+  Eigen::VectorXd velocity = layer_(densities, precision);
   for (std::size_t v = 0; v < loads.size(); ++v)
     velocity.segment(3 * shape_.first[v], loads[v].size()) +=
       x[v].volume_speed * flat(this->loads(v).surface().normals);
@@ -155,17 +176,23 @@ std::vector<LoadUnknowns> LoadStage::rows(const std::vector<Eigen::VectorXd>& lo
 StageSolution LoadStage::solve(const std::vector<LocalPreconditioner>& preconditioners,
   double tolerance, int max_iterations) const
 {
-  const std::vector<LoadUnknowns> none(count());
-  const Eigen::VectorXd b = -join(rows(known_load_, none, known_velocity_)).cwiseProduct(scale_);
+  // What is solved for is the difference from the guess.
+  std::vector<Eigen::VectorXd> guessed_load;
+  for (std::size_t v = 0; v < count(); ++v)
+    guessed_load.emplace_back(known_load_[v] + load_of(v, guess_[v]));
+  const Eigen::VectorXd guessed_velocity = shape_.imposed + velocity_of(guessed_load, guess_);
+  const Eigen::VectorXd b =
+    -join(rows(guessed_load, guess_, guessed_velocity)).cwiseProduct(scale_);
   // The velocities that the Krylov vectors make, for the true size of the solution's.
   std::vector<Eigen::VectorXd> velocities;
-  const auto apply = [&](const Eigen::VectorXd& y) -> Eigen::VectorXd
+  const auto apply = [&](const Eigen::VectorXd& y, double allowed) -> Eigen::VectorXd
   {
     const std::vector<LoadUnknowns> x = split(y);
     std::vector<Eigen::VectorXd> loads;
     for (std::size_t v = 0; v < count(); ++v)
       loads.push_back(load_of(v, x[v]));
-    velocities.push_back(velocity_of(loads, x));
+    velocities.push_back(velocity_of(
+      loads, x, allowed > single_precision_error ? Precision::single : Precision::full));
     return join(rows(loads, x, velocities.back())).cwiseProduct(scale_);
   };
   const auto precondition = [&](const Eigen::VectorXd& r) -> Eigen::VectorXd
@@ -177,7 +204,7 @@ StageSolution LoadStage::solve(const std::vector<LocalPreconditioner>& precondit
   };
   const auto wanted = [&](const Eigen::VectorXd& coefficients)
   {
-    Eigen::VectorXd velocity = known_velocity_;
+    Eigen::VectorXd velocity = guessed_velocity;
     for (Eigen::Index i = 0; i < coefficients.size(); ++i)
       velocity += coefficients[i] * velocities[i];
     return tolerance * velocity.norm();
@@ -191,7 +218,7 @@ StageSolution LoadStage::solve(const std::vector<LocalPreconditioner>& precondit
       "the linear solve of {} unknowns did not converge: residual {:.1e} after {} iterations",
       unknowns(), linear.residual, linear.iterations));
 
-  return solution_of(split(linear.solution), linear.iterations);
+  return solution_of(split(join(guess_) + linear.solution), linear.iterations);
 }
 
 StageSolution LoadStage::solution_of(const std::vector<LoadUnknowns>& x, int iterations) const

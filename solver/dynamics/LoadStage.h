@@ -16,7 +16,9 @@
 // pressure p and c; parts that it doesn't need aren't there.
 
 #include "solver/dynamics/StageSolution.h"
+#include "solver/dynamics/State.h"
 #include "solver/dynamics/SystemShape.h"
+#include "solver/stokes/PointSum.h"
 
 #include <functional>
 
@@ -32,15 +34,18 @@ struct LoadUnknowns
   double pressure = 0, volume_speed = 0;
 };
 
-/// The velocities at all vertices (3N) that force densities at the nodes of each vesicle make.
-using LayerMap = std::function<Eigen::VectorXd(const std::vector<Eigen::VectorXd>&)>;
+/// The velocities at all vertices (3N) that force densities at the nodes of each vesicle make, with at
+/// least that precision.
+using LayerMap = std::function<Eigen::VectorXd(const std::vector<Eigen::VectorXd>&, Precision)>;
 
 class LoadStage
 {
 public:
   /// All arguments must outlive the stage. `tau`: implicit time; 0: stiff loads are those of the
-  /// shape. `reference`: velocities of all vertices, or empty.
-  LoadStage(const SystemShape& shape, LayerMap layer, double tau, const Eigen::VectorXd& reference);
+  /// shape. `reference`: velocities of all vertices, or empty. `guess`: what has velocities and tensions
+  /// near the solution, which is found from there with fewer iterations; or without any.
+  LoadStage(const SystemShape& shape, LayerMap layer, double tau, const Eigen::VectorXd& reference,
+    const State& guess);
 
   Eigen::Index unknowns() const { return first_.back(); }
   /// Solves to the velocity's relative error `tolerance`, about.
@@ -53,13 +58,14 @@ private:
   const VesicleLoads& loads(std::size_t vesicle) const { return *shape_.vesicles[vesicle].loads; }
   std::size_t count() const { return shape_.vesicles.size(); }
   bool has_parameters(std::size_t vesicle) const;
+  LoadUnknowns unknowns_of(std::size_t vesicle, const State& guess) const;
   Eigen::VectorXd stiff_change(std::size_t vesicle, const Eigen::VectorXd& parameters) const;
   Eigen::VectorXd load_of(std::size_t vesicle, const LoadUnknowns& x) const;
   /// Rows of loads and the velocities that they and c make, without the flow.
   std::vector<LoadUnknowns> rows(const std::vector<Eigen::VectorXd>& loads,
     const std::vector<LoadUnknowns>& x, const Eigen::VectorXd& velocity) const;
-  Eigen::VectorXd velocity_of(
-    const std::vector<Eigen::VectorXd>& loads, const std::vector<LoadUnknowns>& x) const;
+  Eigen::VectorXd velocity_of(const std::vector<Eigen::VectorXd>& loads,
+    const std::vector<LoadUnknowns>& x, Precision precision = Precision::full) const;
 
   StageSolution solution_of(const std::vector<LoadUnknowns>& x, int iterations) const;
 
@@ -69,7 +75,8 @@ private:
   std::vector<Eigen::Index> first_{ 0 };
   std::vector<Eigen::VectorXd> reference_load_; ///< τ Qᵀ K Q reference, or empty
   std::vector<Eigen::VectorXd> known_load_;
-  Eigen::VectorXd known_velocity_, scale_;
+  std::vector<LoadUnknowns> guess_;
+  Eigen::VectorXd scale_;
 };
 
 }

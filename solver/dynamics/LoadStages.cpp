@@ -1,7 +1,9 @@
 #include "solver/dynamics/LoadStages.h"
 
 #include "solver/Errors.h"
+#include "solver/ParallelFor.h"
 #include "solver/dynamics/LoadStage.h"
+#include "solver/stokes/LayerSum.h"
 
 namespace vesicle
 {
@@ -9,12 +11,12 @@ namespace vesicle
 namespace
 {
 
-StokesOperator layer_of(const SystemShape& shape)
+std::vector<LayerSurface> surfaces_of(const SystemShape& shape)
 {
   std::vector<LayerSurface> surfaces;
   for (const VesicleShape& v : shape.vesicles)
     surfaces.push_back({ v.vesicle->layer.get(), v.surface->vertices, v.surface->control });
-  return StokesOperator(std::move(surfaces));
+  return surfaces;
 }
 
 // Of a vertex in its vesicle: a translation changes nothing.
@@ -39,20 +41,28 @@ void LoadStages::build(const SystemShape& shape)
   made_for_ = shape.points;
 }
 
-// Good until the next stage.
-LayerMap LoadStages::map_of(const StokesOperator& layer)
+void LoadStages::build_stiff(const SystemShape& shape, double tau)
 {
-  if (layer.vertices() > most_dense_vertices)
-    return [&](const std::vector<Eigen::VectorXd>& densities)
-    {
-      std::vector<ForceDensity> at_points;
-      for (const Eigen::VectorXd& density : densities)
-        at_points.push_back(nodal_density(rows_of_three(density)));
-      return layer.apply(at_points);
-    };
+  for (std::size_t v = 0; v < preconditioners_.size(); ++v)
+    if (const VesicleLoads& loads = *shape.vesicles[v].loads;
+        loads.taut() || (loads.stiff() && tau > 0))
+      preconditioners_[v].build_stiff(loads, tau);
+}
+
+// Good until the next stage.
+LayerMap LoadStages::map_of(const SystemShape& shape)
+{
+  if (layer_ != LayerMethod::dense)
+  {
+    const auto sum = std::make_shared<const LayerSum>(surfaces_of(shape));
+    const bool mixed = precision_ == LayerPrecision::mixed;
+    return [sum, mixed](const std::vector<Eigen::VectorXd>& densities, Precision precision)
+    { return sum->apply(densities, mixed ? precision : Precision::full); };
+  }
+  const StokesOperator layer(surfaces_of(shape));
   for (std::size_t v = 0; v < matrices_.size(); ++v)
     layer.fill(static_cast<int>(v), matrices_[v]);
-  return [this](const std::vector<Eigen::VectorXd>& densities)
+  return [this](const std::vector<Eigen::VectorXd>& densities, Precision)
   {
     Eigen::VectorXd velocity = matrices_.front() * densities.front();
     for (std::size_t v = 1; v < densities.size(); ++v)
@@ -73,11 +83,9 @@ StageSolution LoadStages::solve(const SystemShape& shape, const Stage& stage, St
     else // after a restart: where the uninterrupted run made it
       build(SystemShape(system_, kept.points));
   }
-  for (std::size_t v = 0; v < preconditioners_.size(); ++v)
-    if (shape.vesicles[v].loads->taut() || (shape.vesicles[v].loads->stiff() && stage.tau > 0))
-      preconditioners_[v].build_stiff(*shape.vesicles[v].loads, stage.tau);
-  const StokesOperator layer = layer_of(shape);
-  StageSolution solution = LoadStage(shape, map_of(layer), stage.tau, stage.reference)
+  LayerMap layer;
+  run_together({ [&] { layer = map_of(shape); }, [&] { build_stiff(shape, stage.tau); } });
+  StageSolution solution = LoadStage(shape, layer, stage.tau, stage.reference, state)
                              .solve(preconditioners_, stage.tolerance, max_iterations);
   state.iterations += solution.iterations;
   if (solution.iterations > stale_iterations)

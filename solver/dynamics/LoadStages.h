@@ -8,14 +8,12 @@
 namespace vesicle
 {
 
-/// Up to that many vertices the layer is a dense matrix, which costs less than its sums.
-inline constexpr Eigen::Index most_dense_vertices = 3000;
-
 class LoadStages final : public StageSolver
 {
 public:
-  explicit LoadStages(const System& system)
-    : system_(system), preconditioners_(system.vesicles.size()), matrices_(system.vesicles.size())
+  LoadStages(const System& system, LayerMethod layer, LayerPrecision precision)
+    : system_(system), layer_(layer), precision_(precision),
+      preconditioners_(system.vesicles.size()), matrices_(system.vesicles.size())
   {
   }
   StageSolution solve(const SystemShape& shape, const Stage& stage, State& state) override;
@@ -27,12 +25,15 @@ private:
   static constexpr int stale_iterations = 40, max_iterations = 200;
 
   void build(const SystemShape& shape);
-  LayerMap map_of(const StokesOperator& layer);
+  void build_stiff(const SystemShape& shape, double tau);
+  LayerMap map_of(const SystemShape& shape);
 
   const System& system_;
+  LayerMethod layer_;
+  LayerPrecision precision_;
   std::vector<LocalPreconditioner> preconditioners_;
   std::vector<Points> made_for_;
-  std::vector<LayerMatrix> matrices_; ///< of the last stage
+  std::vector<LayerMatrix> matrices_; ///< of the last stage, where they are wanted
 };
 
 }

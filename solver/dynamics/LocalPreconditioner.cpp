@@ -1,6 +1,7 @@
 #include "solver/dynamics/LocalPreconditioner.h"
 
 #include "solver/Errors.h"
+#include "solver/ParallelFor.h"
 #include "solver/dynamics/LoadStage.h"
 
 #include <Eigen/LU>
@@ -129,15 +130,25 @@ LoadUnknowns LocalPreconditioner::solve(
   const VesicleLoads& loads, const LoadUnknowns& residual) const
 {
   LoadUnknowns x;
+  run_together(
+    { [&] { x.parameters = parameters(loads, residual); }, [&] { solve_saddle(residual, x); } });
+  return x;
+}
+
+Eigen::VectorXd LocalPreconditioner::parameters(
+  const VesicleLoads& loads, const LoadUnknowns& residual) const
+{
+  if (residual.parameters.size() == 0)
+    return {};
+  if (loads.motion().kind() != NodeMotionKind::normal)
+    return stiff_.solve(layer_inverse_ * residual.parameters);
   const Collocation& collocation = loads.surface().collocation();
-  if (residual.parameters.size() > 0)
-  {
-    if (loads.motion().kind() == NodeMotionKind::normal)
-      x.parameters = collocation.at_vertices(Eigen::VectorXd(
-        stiff_.solve(layer_inverse_ * Eigen::VectorXd(collocation.fit(residual.parameters)))));
-    else
-      x.parameters = stiff_.solve(layer_inverse_ * residual.parameters);
-  }
+  return collocation.at_vertices(Eigen::VectorXd(
+    stiff_.solve(layer_inverse_ * Eigen::VectorXd(collocation.fit(residual.parameters)))));
+}
+
+void LocalPreconditioner::solve_saddle(const LoadUnknowns& residual, LoadUnknowns& x) const
+{
   Eigen::VectorXd y = Eigen::VectorXd::Zero(columns_.rows()), wanted(columns_.cols());
   wanted.head(2) << residual.pressure, residual.volume_speed;
   if (has_tension_)
@@ -154,7 +165,6 @@ LoadUnknowns LocalPreconditioner::solve(
   x.volume_speed = amounts[1];
   if (has_tension_)
     x.tension = y.tail(nodes_);
-  return x;
 }
 
 }

@@ -25,6 +25,9 @@ public:
   LoadUnknowns solve(const VesicleLoads& loads, const LoadUnknowns& residual) const;
 
 private:
+  Eigen::VectorXd parameters(const VesicleLoads& loads, const LoadUnknowns& residual) const;
+  /// Tension, pressure and c of x.
+  void solve_saddle(const LoadUnknowns& residual, LoadUnknowns& x) const;
   /// The volume's, c's and the gauge's row, of (w, γ).
   Eigen::VectorXd border_rows(const Eigen::VectorXd& w_and_tension) const;
 

@@ -17,4 +17,19 @@ enum class Integrator
   imex_euler     ///< first order, paper (40)
 };
 
+/// How the single layer of a smooth surface is applied.
+enum class LayerMethod
+{
+  automatic, ///< the fastest: direct
+  dense,     ///< by its matrix
+  direct     ///< by sums over all pairs of points and vertices
+};
+
+/// In what the linear solves add up far fields.
+enum class LayerPrecision
+{
+  mixed, ///< single precision where that doesn't change the answer
+  full   ///< double throughout
+};
+
 }

@@ -2,6 +2,7 @@
 // Poses and solves the linear problem of a stage, and keeps what preconditions it from one stage to
 // the next: work that is saved and never changes a result.
 
+#include "solver/dynamics/Method.h"
 #include "solver/dynamics/StageSolution.h"
 #include "solver/dynamics/State.h"
 #include "solver/dynamics/SystemShape.h"
@@ -27,7 +28,8 @@ public:
 };
 
 /// On flat triangles densities have dense columns (StageSystem.h), on smooth surfaces loads are
-/// applied (LoadStage.h). The system must outlive the solver.
-std::unique_ptr<StageSolver> make_stage_solver(const System& system);
+/// applied (LoadStage.h), by `layer` and in `precision`. The system must outlive the solver.
+std::unique_ptr<StageSolver> make_stage_solver(
+  const System& system, LayerMethod layer, LayerPrecision precision);
 
 }

@@ -126,7 +126,7 @@ Stepper::Stepper(System system, const StepperSettings& settings)
   for (const Vesicle& vesicle : system_.vesicles)
     neighbours_.push_back(
       Connectivity(vesicle.space->triangles(), vesicle.space->nodes()).vertex_neighbours);
-  stages_ = make_stage_solver(system_);
+  stages_ = make_stage_solver(system_, settings_.layer, settings_.precision);
 }
 
 double Stepper::implicit_fraction() const
@@ -249,7 +249,17 @@ void Stepper::advance_midpoint(
   const Solved middle = solve_stage(after, halfway, dt, relative);
   const std::vector<Points> node_velocity = node_velocities(middle, &before);
   for (std::size_t v = 0; v < halfway.size(); ++v)
-    after.vesicles[v].points = before.vesicles[v].points + dt * node_velocity[v];
+  {
+    const VesicleState& start = before.vesicles[v];
+    const StageSolution::Part& half = middle.solution.vesicles[v];
+    VesicleState& end = after.vesicles[v];
+    end.points = start.points + dt * node_velocity[v];
+    end.velocity =
+      2 * rows_of_three(middle.shape->part(middle.solution.velocity, v)) - start.velocity;
+    end.tension = 2 * half.tension - start.tension;
+    end.pressure = 2 * half.pressure - start.pressure;
+    end.volume_speed = 2 * half.volume_speed - start.volume_speed;
+  }
   report.error = dt * largest_normal(*middle.shape, middle.solution.velocity - velocity_of(before));
 }
 

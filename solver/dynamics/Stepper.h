@@ -14,6 +14,8 @@ namespace vesicle
 struct StepperSettings
 {
   Integrator integrator = Integrator::imex_midpoint;
+  LayerMethod layer = LayerMethod::automatic;
+  LayerPrecision precision = LayerPrecision::mixed;
   double linear_tolerance = 1e-10;
   StepLimits limits;
 };
@@ -40,11 +42,11 @@ public:
   double longest_step(const State& state);
 
   /// Fills velocities, tensions, stiff forces and node velocities of `state` for its points and its
-  /// next step.
+  /// next step; what it has of them is the first guess.
   void solve(State& state);
 
-  /// The state after an attempted step of `state`'s next step, not yet solved (velocities and
-  /// forces are the midpoint's), with what there is to say about it. NumericalError of a linear
+  /// The state after an attempted step of `state`'s next step, not yet solved (velocities, tensions and
+  /// multipliers are extrapolated, Euler's those before: solve()'s first guess), with what there is to say about it. NumericalError of a linear
   /// solve is passed on.
   State attempt(const State& state, StepReport& report);
   /// What is known of a step's error only once `after` is solved, into the report: Euler's,

@@ -1,12 +1,10 @@
 #include "solver/dynamics/TangentialMotion.h"
 
 #include "solver/Errors.h"
-#include "solver/ParallelFor.h"
 #include "solver/surface/NodeFrames.h"
 
 #include <Eigen/LU>
 
-#include <array>
 #include <cmath>
 
 namespace vesicle
@@ -39,7 +37,8 @@ Eigen::VectorXd gathered(const Tangents& T, const Eigen::VectorXd& t)
 }
 
 // The operator of the quadratic form above in the coordinates d, t = T d, and its preconditioner:
-// the same with TᵀPT between vertices and control points, which is sparse.
+// the same with TᵀPT between vertices and control points, which is sparse, and without what changes area
+// and volume.
 class TangentialForm
 {
 public:
@@ -90,17 +89,21 @@ public:
       return Eigen::VectorXd::Zero(2 * T_.rows());
     return tau_ * dual(loads_.stiffness() * loads_.surface().to_control(w));
   }
-  /// By conjugate gradients.
+  /// From now on solve() keeps to d with a·d = v·d = 0.
+  void constrain(const Eigen::VectorXd& a, const Eigen::VectorXd& v)
+  {
+    const Eigen::VectorXd a_pulled = precondition(a), v_pulled = precondition(v);
+    rows_.resize(2, a.size());
+    rows_ << a.transpose(), v.transpose();
+    directions_.resize(a.size(), 2);
+    directions_ << a_pulled, v_pulled;
+    amounts_.compute(rows_ * directions_);
+  }
+  /// By conjugate gradients, projected (Gould, Hribar & Nocedal, SIAM J. Sci. Comput. 23 (2001) 1376).
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const
   {
-    if (!stiff())
-    {
-      Eigen::VectorXd result(b.size());
-      for (Eigen::Index i = 0; i < weight_.size(); ++i)
-        result.segment<2>(2 * i) = b.segment<2>(2 * i) / weight_[i];
-      return result;
-    }
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size()), r = b, z = precondition(r), p = z;
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size()), r = free_part(b), z = precondition(r),
+                    p = z;
     double rz = r.dot(z);
     const double first = rz;
     for (int k = 0; k < 100 && rz > 1e-8 * first; ++k)
@@ -108,7 +111,7 @@ public:
       const Eigen::VectorXd Ap = apply(p);
       const double alpha = rz / p.dot(Ap);
       x += alpha * p;
-      r -= alpha * Ap;
+      r = free_part(r - alpha * Ap);
       z = precondition(r);
       const double next = r.dot(z);
       p = z + next / rz * p;
@@ -123,9 +126,22 @@ private:
   {
     return weighted(d) + mesh_implicitness * stiffness(spread(T_, d));
   }
+  // Less what the constraints bear, which solutions don't feel, but their rounding.
+  Eigen::VectorXd free_part(const Eigen::VectorXd& r) const
+  {
+    return r - rows_.transpose() * amounts_.solve(directions_.transpose() * r);
+  }
   Eigen::VectorXd precondition(const Eigen::VectorXd& r) const
   {
-    return X_ * Eigen::VectorXd(factors_.solve(X_.transpose() * r));
+    Eigen::VectorXd z(r.size());
+    if (stiff())
+      z = X_ * Eigen::VectorXd(factors_.solve(X_.transpose() * r));
+    else
+      for (Eigen::Index i = 0; i < weight_.size(); ++i)
+        z.segment<2>(2 * i) = r.segment<2>(2 * i) / weight_[i];
+    if (rows_.size() > 0)
+      z -= directions_ * amounts_.solve(rows_ * z);
+    return z;
   }
 
   const VesicleLoads& loads_;
@@ -134,6 +150,10 @@ private:
   Eigen::VectorXd weight_; ///< m_i/β
   SparseMatrix X_;
   SupernodalCholesky<float> factors_; ///< of the preconditioner
+  // Of constraints: their gradients, what takes their changes back and how much of it they want.
+  Eigen::Matrix<double, 2, Eigen::Dynamic> rows_;
+  Eigen::Matrix<double, Eigen::Dynamic, 2> directions_;
+  Eigen::FullPivLU<Eigen::Matrix2d> amounts_;
 };
 
 }
@@ -142,28 +162,17 @@ Eigen::VectorXd tangential_motion(const VesicleLoads& loads, const Eigen::Vector
   const Eigen::VectorXd& otherwise, double released, double tau, double beta)
 {
   constexpr double largest_share = 0.5;
-  const TangentialForm form(loads, tau, beta);
-  const Eigen::VectorXd g = form.dual(loads.gradient()), a = form.dual(loads.area_gradient()),
-                        v = form.dual(loads.volume_gradient());
-  const Eigen::VectorXd drive =
-    form.weighted(gathered(form.tangents(), wanted)) - form.stiffness(otherwise);
-  const std::array<const Eigen::VectorXd*, 4> right_sides{ &a, &v, &g, &drive };
-  std::array<Eigen::VectorXd, 4> solved;
-  parallel_for(
-    static_cast<int>(solved.size()), [&](int i) { solved[i] = form.solve(*right_sides[i]); });
-  const Eigen::VectorXd &a_solved = solved[0], &v_solved = solved[1];
-  const auto neutral = [&](const Eigen::VectorXd& d) -> Eigen::VectorXd
+  TangentialForm form(loads, tau, beta);
+  form.constrain(form.dual(loads.area_gradient()), form.dual(loads.volume_gradient()));
+  const Eigen::VectorXd g = form.dual(loads.gradient());
+  Eigen::VectorXd d =
+    form.solve(form.weighted(gathered(form.tangents(), wanted)) - form.stiffness(otherwise) - g);
+  if (const double excess = g.dot(d) - largest_share * std::max(0., released); excess > 0)
   {
-    Eigen::Matrix2d J;
-    J << a.dot(a_solved), a.dot(v_solved), v.dot(a_solved), v.dot(v_solved);
-    const Eigen::Vector2d x = J.fullPivLu().solve(Eigen::Vector2d(a.dot(d), v.dot(d)));
-    return d - x[0] * a_solved - x[1] * v_solved;
-  };
-  const Eigen::VectorXd g_solved = neutral(solved[2]);
-  Eigen::VectorXd d = neutral(solved[3]) - g_solved;
-  const double rise = g.dot(d), excess = rise - largest_share * std::max(0., released);
-  if (excess > 0 && g.dot(g_solved) > 0)
-    d -= excess / g.dot(g_solved) * g_solved;
+    const Eigen::VectorXd downhill = form.solve(g);
+    if (const double rate = g.dot(downhill); rate > 0)
+      d -= excess / rate * downhill;
+  }
   return spread(form.tangents(), d);
 }
 

@@ -1,5 +1,7 @@
 #include "solver/dynamics/VesicleLoads.h"
 
+#include "solver/ParallelFor.h"
+
 #include <algorithm>
 #include <iterator>
 
@@ -21,28 +23,42 @@ VesicleLoads::VesicleLoads(const Vesicle& vesicle, const Surface& surface,
     motion_(
       surface, constraint && constraint->gauge_pinned ? NodeMotionKind::normal : vesicle.motion),
     gradient_(Eigen::VectorXd::Zero(3 * surface.vertices.rows())),
-    constraint_(std::move(constraint)), normal_(surface.to_control(flat(surface.normals))),
-    mass_(mass_matrix(surface.space->table(), surface.points)),
-    mass_factors_(SymmetricMatrix(mass_), surface.space->plans())
+    constraint_(std::move(constraint)), normal_(surface.to_control(flat(surface.normals)))
+{
+  run_together(
+    { [&] { make_mass(); }, [&] { add_terms(vesicle.terms); }, [&] { add_constraints(); } });
+  if (constraint_ && constraint_->gauge_pinned)
+    hold_taut(rate);
+}
+
+void VesicleLoads::make_mass()
+{
+  mass_ = mass_matrix(surface_->space->table(), surface_->points);
+  mass_factors_.compute(SymmetricMatrix(mass_), surface_->space->plans());
+}
+
+void VesicleLoads::add_terms(const MembraneTerms& terms)
 {
   std::vector<EntryVectors> rates;
-  for (const auto& term : vesicle.terms)
+  for (const auto& term : terms)
   {
-    Variation variation = term->variation(surface);
+    Variation variation = term->variation(*surface_);
     loads_.emplace_back(-motion_.adjoint(variation.gradient));
     if (!term->external())
       gradient_ += variation.gradient;
     std::move(variation.rates.begin(), variation.rates.end(), std::back_inserter(rates));
   }
-  const BasisTable& table = surface.space->table();
   if (!rates.empty())
-    stiffness_ = gauss_newton_matrix(table, rates);
-  volume_gradient_ = vesicle::volume_gradient(table, surface.points);
+    stiffness_ = gauss_newton_matrix(surface_->space->table(), rates);
+}
+
+void VesicleLoads::add_constraints()
+{
+  const BasisTable& table = surface_->space->table();
+  volume_gradient_ = vesicle::volume_gradient(table, surface_->points);
   volume_rate_ = motion_.adjoint(volume_gradient_);
-  area_gradient_ = vesicle::area_gradient(table, surface.points);
+  area_gradient_ = vesicle::area_gradient(table, surface_->points);
   area_share_ = motion_.adjoint(area_gradient_) - area_gradient_;
-  if (constraint_ && constraint_->gauge_pinned)
-    hold_taut(rate);
 }
 
 // The tension less the pressure that balances it on a sphere, which does nothing but would be

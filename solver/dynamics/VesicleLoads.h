@@ -87,6 +87,9 @@ public:
   Eigen::VectorXd load_of(const Eigen::VectorXd& density) const;
 
 private:
+  void make_mass();
+  void add_terms(const MembraneTerms& terms);
+  void add_constraints();
   void hold_taut(double rate);
 
   const Surface* surface_;

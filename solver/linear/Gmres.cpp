@@ -11,13 +11,14 @@ GmresResult gmres(const LinearMap& A, const LinearMap& preconditioner, const Eig
   double tolerance, int max_iterations)
 {
   const double wanted = tolerance * b.norm();
-  return gmres(
-    A, preconditioner, b, [&](const Eigen::VectorXd&) { return wanted; }, max_iterations);
+  return gmres([&](const Eigen::VectorXd& x, double) { return A(x); }, preconditioner, b,
+    [&](const Eigen::VectorXd&) { return wanted; }, max_iterations);
 }
 
-GmresResult gmres(const LinearMap& A, const LinearMap& preconditioner, const Eigen::VectorXd& b,
+GmresResult gmres(const InexactMap& A, const LinearMap& preconditioner, const Eigen::VectorXd& b,
   const std::function<double(const Eigen::VectorXd&)>& wanted, int max_iterations)
 {
+  constexpr double allowed_share = 0.1;
   const double norm = b.norm();
   double target = wanted({});
   if (!(norm > target))
@@ -41,7 +42,7 @@ GmresResult gmres(const LinearMap& A, const LinearMap& preconditioner, const Eig
   while (k < max_iterations && !converged())
   {
     preconditioned.push_back(preconditioner(basis[k]));
-    Eigen::VectorXd w = A(preconditioned[k]);
+    Eigen::VectorXd w = A(preconditioned[k], allowed_share * target / std::abs(g[k]));
     for (int pass = 0; pass < 2; ++pass) // twice is enough: orthogonal to rounding
       for (int i = 0; i <= k; ++i)
       {

@@ -13,6 +13,8 @@ namespace vesicle
 {
 
 using LinearMap = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
+/// A x with a relative error up to `allowed`.
+using InexactMap = std::function<Eigen::VectorXd(const Eigen::VectorXd& x, double allowed)>;
 
 struct GmresResult
 {
@@ -27,8 +29,9 @@ GmresResult gmres(const LinearMap& A, const LinearMap& preconditioner, const Eig
   double tolerance, int max_iterations);
 /// The same until ‖b − A x‖ is at most what `wanted` says of x's coefficients in the preconditioned
 /// basis, of which the i-th was the argument of the i-th call of A. Asked where the residual has
-/// fallen below what was wanted last.
-GmresResult gmres(const LinearMap& A, const LinearMap& preconditioner, const Eigen::VectorXd& b,
+/// fallen below what was wanted last. The smaller the residual is already, the less A's errors count
+/// (Simoncini & Szyld, SIAM J. Sci. Comput. 25 (2003) 454): a tenth of what is wanted is allowed.
+GmresResult gmres(const InexactMap& A, const LinearMap& preconditioner, const Eigen::VectorXd& b,
   const std::function<double(const Eigen::VectorXd&)>& wanted, int max_iterations);
 
 }

@@ -1,7 +1,10 @@
 #include "solver/linear/SparseCholesky.h"
 
+#include "solver/ParallelFor.h"
 #include "solver/linear/Blas.h"
 #include "solver/linear/DensePanel.h"
+
+#include <ranges>
 
 namespace vesicle
 {
@@ -88,30 +91,32 @@ bool SupernodalCholesky<Scalar>::factorize(const SymmetricMatrix& A)
 template<class Scalar>
 void SupernodalCholesky<Scalar>::solve_in_place(Columns& x) const
 {
+  parallel_for(x.cols(), [&](Eigen::Index c) { solve_column(x.col(c).data()); });
+}
+
+template<class Scalar>
+void SupernodalCholesky<Scalar>::solve_column(Scalar* column) const
+{
   const std::vector<Supernode>& supernodes = plan_->supernodes();
   std::vector<Scalar> below(plan_->size());
-  for (Eigen::Index c = 0; c < x.cols(); ++c)
+  for (const Supernode& s : supernodes)
   {
-    Scalar* column = x.col(c).data();
-    for (const Supernode& s : supernodes)
-    {
-      const Scalar* panel = panels_.data() + s.offset;
-      const int rows = static_cast<int>(s.rows.size());
-      for (int i = 0; i < rows; ++i)
-        below[i] = column[s.rows[i]];
-      solve_forward(panel, s.height(), s.columns, column + s.first, below.data());
-      for (int i = 0; i < rows; ++i)
-        column[s.rows[i]] = below[i];
-    }
-    x.col(c).array() /= pivots_.array();
-    for (auto s = supernodes.rbegin(); s != supernodes.rend(); ++s)
-    {
-      const Scalar* panel = panels_.data() + s->offset;
-      const int rows = static_cast<int>(s->rows.size());
-      for (int i = 0; i < rows; ++i)
-        below[i] = column[s->rows[i]];
-      solve_backward(panel, s->height(), s->columns, column + s->first, below.data());
-    }
+    const Scalar* panel = panels_.data() + s.offset;
+    const int rows = static_cast<int>(s.rows.size());
+    for (int i = 0; i < rows; ++i)
+      below[i] = column[s.rows[i]];
+    solve_forward(panel, s.height(), s.columns, column + s.first, below.data());
+    for (int i = 0; i < rows; ++i)
+      column[s.rows[i]] = below[i];
+  }
+  Eigen::Map<Vector>(column, pivots_.size()).array() /= pivots_.array();
+  for (const Supernode& s : std::views::reverse(supernodes))
+  {
+    const Scalar* panel = panels_.data() + s.offset;
+    const int rows = static_cast<int>(s.rows.size());
+    for (int i = 0; i < rows; ++i)
+      below[i] = column[s.rows[i]];
+    solve_backward(panel, s.height(), s.columns, column + s.first, below.data());
   }
 }
 

@@ -28,7 +28,7 @@ public:
   /// D: as many are negative as the matrix has negative eigenvalues.
   const Vector& pivots() const { return pivots_; }
 
-  /// A⁻¹ b, b of one or more columns.
+  /// A⁻¹ b, b of one or more columns, which threads share.
   template<class Derived>
   typename Derived::PlainObject solve(const Eigen::MatrixBase<Derived>& b) const
   {
@@ -46,6 +46,7 @@ public:
 private:
   bool factorize(const SymmetricMatrix& A);
   void solve_in_place(Columns& x) const;
+  void solve_column(Scalar* column) const;
 
   std::shared_ptr<const EliminationPlan> plan_;
   std::vector<Scalar> panels_; ///< L, unit lower triangles on top

@@ -81,6 +81,8 @@ struct Scene
   using Basis = SurfaceBasis;
   using Bending = BendingScheme;
   using Integrator = vesicle::Integrator;
+  using LayerMethod = vesicle::LayerMethod;
+  using LayerPrecision = vesicle::LayerPrecision;
   enum class MeshMotion
   {
     equidistribute, ///< vertices spread by the membrane's curvature
@@ -99,6 +101,8 @@ struct Scene
     /// Of meshes that are laid anew; empty: the start's, and four times as many.
     std::optional<int> least_triangles, most_triangles;
     int quadrature = 3; ///< points a triangle of the regular rule: 1, 3, 6 or 12
+    LayerMethod layer = LayerMethod::automatic; ///< key "operator"
+    LayerPrecision precision = LayerPrecision::mixed;
     /// Relative residual of the linear solves; on Loop's surface a ten-thousandth of time.tolerance,
     /// about: a step moves by a few hundredths of r0.
     double linear_tolerance = 1e-7;

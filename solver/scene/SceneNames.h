@@ -43,6 +43,15 @@ inline constexpr std::array integrator_names{
   NamedChoice{ "imex-euler", Scene::Integrator::imex_euler },
 };
 
+inline constexpr std::array layer_method_names{
+  NamedChoice{ "auto", LayerMethod::automatic },
+  NamedChoice{ "dense", LayerMethod::dense },
+  NamedChoice{ "direct", LayerMethod::direct },
+};
+inline constexpr std::array layer_precision_names{
+  NamedChoice{ "mixed", LayerPrecision::mixed },
+  NamedChoice{ "double", LayerPrecision::full },
+};
 inline constexpr std::array mesh_motion_names{
   NamedChoice{ "equidistribute", Scene::MeshMotion::equidistribute },
   NamedChoice{ "adaptive", Scene::MeshMotion::adaptive },

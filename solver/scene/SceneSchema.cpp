@@ -272,6 +272,8 @@ void apply_preset(const SceneDocument& document, Scene& scene)
 void check_adaptive(const TableReader& table, const Scene::Accuracy& accuracy)
 {
   const bool adaptive = accuracy.mesh_motion == Scene::MeshMotion::adaptive;
+  if (accuracy.layer == LayerMethod::direct && accuracy.basis != Scene::Basis::loop)
+    table.fail("operator", "applies the layer of Loop's surface only", "basis = \"loop\"");
   if (adaptive && accuracy.basis != Scene::Basis::loop)
     table.fail("mesh_motion", "lays meshes anew on Loop's surface only", "basis = \"loop\"");
   for (const char* key : { "least_triangles", "most_triangles" })
@@ -331,6 +333,14 @@ SceneTable accuracy_table()
     key("quadrature", at(&Scene::accuracy, &Accuracy::quadrature),
       rules::Integer{ quadrature_points }, "",
       "points a triangle of the regular rule; 6 with the preset \"accurate\""),
+    key("operator", at(&Scene::accuracy, &Accuracy::layer), rules::Choice{ layer_method_names }, "",
+      "how the single layer of Loop's surface is applied: by sums over all pairs of points and "
+      "vertices (\"direct\", which \"auto\" takes) or by its matrix; on flat triangles it is a "
+      "matrix"),
+    key("precision", at(&Scene::accuracy, &Accuracy::precision),
+      rules::Choice{ layer_precision_names }, "",
+      "of far fields in the linear solves on Loop's surface; \"mixed\": single where that doesn't "
+      "change the answer"),
     key("linear_tolerance", at(&Scene::accuracy, &Accuracy::linear_tolerance),
       rules::Number{ below_one }, "",
       "relative error of the velocity that the linear solves leave; 1e-8 with the preset "

@@ -1,7 +1,6 @@
 #include "solver/simulation/Cost.h"
 
 #include "solver/Errors.h"
-#include "solver/dynamics/LoadStages.h"
 #include "solver/files/FileBytes.h"
 
 #include <fmt/format.h>
@@ -19,14 +18,12 @@ namespace vesicle
 namespace
 {
 
-// Fitted to 320, 1,280 and 5,120 triangles on flat triangles and on Loop's surface: what dense
-// matrices take, and the time of a step on one core.
+// Fitted to 320, 1,280 and 5,120 triangles on flat triangles and on Loop's surface: the memory, with a
+// dense matrix and without, and the time of a step on one core.
 constexpr double program_bytes = 6e7;
-constexpr double flat_bytes_a_triangle = 2.3e4, loop_bytes_a_triangle = 5e4;
-constexpr double flat_bytes_a_pair = 27, loop_bytes_a_pair = 27;
+constexpr double flat_bytes_a_triangle = 2.3e4, loop_bytes_a_triangle = 8.5e4;
+constexpr double dense_bytes_a_pair = 27;
 constexpr double flat_seconds_a_pair = 1.7e-8, loop_seconds_a_pair = 1.5e-7;
-// On Loop's surface larger meshes have no dense matrix: two triangles a vertex.
-constexpr double most_dense_pairs = 4. * most_dense_vertices * most_dense_vertices;
 // Points, triangles and a dozen point arrays.
 constexpr double frame_bytes_a_triangle = 120;
 // Colours and depths, with the samples that smooth edges.
@@ -55,11 +52,12 @@ std::string gigabytes(double bytes)
 
 Cost cost_of(const Scene& scene, double triangles)
 {
-  const bool flat = scene.accuracy.basis == Scene::Basis::linear;
+  const bool flat = scene.accuracy.basis == Scene::Basis::linear,
+             dense = flat || scene.accuracy.layer == LayerMethod::dense;
   const double pairs = triangles * triangles;
   Cost cost;
   cost.memory = program_bytes + (flat ? flat_bytes_a_triangle : loop_bytes_a_triangle) * triangles +
-    (flat ? flat_bytes_a_pair * pairs : loop_bytes_a_pair * std::min(pairs, most_dense_pairs));
+    (dense ? dense_bytes_a_pair * pairs : 0);
   if (scene.time.end && scene.time.output_every > 0)
     cost.frames = *scene.time.end / scene.time.output_every + 1;
   if (scene.time.end && scene.time.step)

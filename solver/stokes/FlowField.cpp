@@ -1,7 +1,7 @@
 #include "solver/stokes/FlowField.h"
 
 #include "solver/ParallelFor.h"
-#include "solver/stokes/StokesletKernel.h"
+#include "solver/stokes/kernels/StokesletKernel.h"
 
 #include <Eigen/LU>
 

@@ -2,7 +2,7 @@
 // The single layer between the nodes of one surface and the vertices of all, stored: for meshes on
 // which reading it costs less than its sums.
 
-#include "solver/stokes/StokesletKernel.h"
+#include "solver/stokes/kernels/StokesletKernel.h"
 
 #include <Eigen/Core>
 

@@ -1,9 +1,10 @@
 #include "solver/stokes/LayerRules.h"
 
-#include "solver/stokes/StokesletKernel.h"
+#include "solver/stokes/kernels/StokesletKernel.h"
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <numeric>
 
 namespace vesicle
@@ -22,6 +23,12 @@ LayerRules::Rule element_rule(const Basis& basis, int points, int graded)
   return { basis.tabulate(rule), std::move(start) };
 }
 
+void sort_out_repeats(std::vector<int>& numbers)
+{
+  std::ranges::sort(numbers);
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
 // Elements that don't touch the vertex but share a corner with one that does, ascending.
 AdjacencyList second_ring(const Connectivity& mesh)
 {
@@ -32,8 +39,7 @@ AdjacencyList second_ring(const Connectivity& mesh)
     std::vector<int> around;
     for (const int* j = neighbours.begin(i); j != neighbours.end(i); ++j)
       around.insert(around.end(), elements.begin(*j), elements.end(*j));
-    std::sort(around.begin(), around.end());
-    around.erase(std::unique(around.begin(), around.end()), around.end());
+    sort_out_repeats(around);
     std::set_difference(around.begin(), around.end(), elements.begin(i), elements.end(i),
       std::back_inserter(result.item));
     result.start.push_back(static_cast<int>(result.item.size()));
@@ -42,8 +48,8 @@ AdjacencyList second_ring(const Connectivity& mesh)
 }
 
 // The vertices in groups that are close together on the mesh where possible: grown from
-// the first vertex left over. Then few elements are near any target of a group.
-std::vector<int> group_neighbours(const AdjacencyList& neighbours)
+// the first vertex left over.
+std::vector<std::vector<int>> group_neighbours(const AdjacencyList& neighbours)
 {
   const int n = static_cast<int>(neighbours.start.size()) - 1;
   std::vector<int> order;
@@ -64,7 +70,10 @@ std::vector<int> group_neighbours(const AdjacencyList& neighbours)
         if (!taken[*j] && order.size() % stokeslet_lanes != 0)
           take(*j);
   }
-  return order;
+  std::vector<std::vector<int>> groups;
+  for (int i = 0; i < n; i += stokeslet_lanes)
+    groups.emplace_back(order.begin() + i, order.begin() + std::min(i + stokeslet_lanes, n));
+  return groups;
 }
 
 }
@@ -85,7 +94,6 @@ LayerRules::LayerRules(const Basis& basis, const LayerQuadrature& quadrature)
 {
   const Connectivity connectivity(basis.elements(), basis.nodes());
   touching_ = connectivity.vertex_triangles;
-  order_ = group_neighbours(connectivity.vertex_neighbours);
   close_.start.assign(basis.nodes() + 1, 0);
   near_.start.assign(basis.elements().rows() + 1, 0);
   if (quadrature.near > 0)
@@ -108,6 +116,32 @@ LayerRules::LayerRules(const Basis& basis, const LayerQuadrature& quadrature)
   }
   singular_.start.push_back(static_cast<int>(points.size()));
   singular_.table = basis.tabulate(points);
+  for (std::vector<int>& targets : group_neighbours(connectivity.vertex_neighbours))
+    groups_.push_back(group_of(std::move(targets)));
+}
+
+LayerRules::Group LayerRules::group_of(std::vector<int> targets) const
+{
+  Group group{ std::move(targets), {}, {} };
+  std::map<int, Group::Special> special;
+  const auto mark = [&](const AdjacencyList& list, std::uint8_t Group::Special::*lanes)
+  {
+    for (std::size_t lane = 0; lane < group.target.size(); ++lane)
+      for (const int* e = list.begin(group.target[lane]); e != list.end(group.target[lane]); ++e)
+        special.try_emplace(*e, Group::Special{ *e, 0, 0 }).first->second.*lanes |= 1U << lane;
+  };
+  mark(touching_, &Group::Special::touching);
+  mark(close_, &Group::Special::close);
+  const BasisTable& table = regular_.table;
+  for (const auto& [element, of_element] : special)
+  {
+    group.special.push_back(of_element);
+    const int row = regular_.start[element];
+    group.nodes.insert(group.nodes.end(), table.node.begin() + table.start[row],
+      table.node.begin() + table.start[row + 1]);
+  }
+  sort_out_repeats(group.nodes);
+  return group;
 }
 
 }

@@ -6,6 +6,7 @@
 #include "solver/surface/Basis.h"
 #include "solver/mesh/Connectivity.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace vesicle
@@ -31,7 +32,6 @@ struct LayerQuadrature
 /// passes through the sphere at its vertices only, leaves 1.0e-4, 1.3e-5 and 1.4e-6.
 LayerQuadrature layer_quadrature(const Basis& basis, int regular);
 
-/// Targets are taken in groups that the kernels work on at once.
 class LayerRules
 {
 public:
@@ -47,18 +47,33 @@ public:
   const Rule& near() const { return near_; }         ///< by element, or no rows
   const Rule& singular() const { return singular_; } ///< Duffy points, by vertex
 
-  int vertices() const { return static_cast<int>(order_.size()); }
+  int vertices() const { return static_cast<int>(touching_.start.size()) - 1; }
   /// Elements that touch each vertex: singular instead of regular.
   const AdjacencyList& touching() const { return touching_; }
   /// Those that share a corner with them: near instead of regular; or none.
   const AdjacencyList& close() const { return close_; }
-  /// The vertices so that those of a group are neighbours.
-  const std::vector<int>& order() const { return order_; }
+  /// Up to stokeslet_lanes vertices whose sums are made at once, a lane each: neighbours, so that few
+  /// elements are special.
+  struct Group
+  {
+    std::vector<int> target;
+    /// An element that touches a target or is next to one; bits: the lanes that it touches, is next to.
+    struct Special
+    {
+      int element;
+      std::uint8_t touching, close;
+    };
+    std::vector<Special> special; ///< by element
+    std::vector<int> nodes;       ///< that these elements feel, ascending
+  };
+  const std::vector<Group>& groups() const { return groups_; }
 
 private:
+  Group group_of(std::vector<int> targets) const;
+
   Rule regular_, near_, singular_;
   AdjacencyList touching_, close_;
-  std::vector<int> order_;
+  std::vector<Group> groups_;
 };
 
 }

@@ -1,10 +1,12 @@
 #include "solver/stokes/StokesOperator.h"
 
 #include "solver/ParallelFor.h"
-#include "solver/stokes/StokesletKernel.h"
+#include "solver/stokes/PointSum.h"
+#include "solver/stokes/kernels/StokesletKernel.h"
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace vesicle
 {
@@ -24,123 +26,75 @@ constexpr int stride = stokeslet_components * lanes; // numbers a node in the ac
 
 using LaneMask = std::array<double, lanes>;
 
-/// Targets whose sums are made at once: neighbours on one surface.
-struct Group
-{
-  const int* target;
-  int count;
-  std::array<double, 3 * lanes> position; ///< the last target repeated where there are fewer
+using Lanes = LayerRules::Group; // whose targets have a lane each
 
-  Group(const LayerSurface& surface, int number)
-    : target(surface.rules->order().data() + number * lanes),
-      count(std::min(lanes, surface.rules->vertices() - number * lanes))
-  {
-    for (int lane = 0; lane < lanes; ++lane)
-      for (int c = 0; c < 3; ++c)
-        position[c * lanes + lane] = surface.vertices(target[std::min(lane, count - 1)], c);
-  }
-};
-
-int group_count(const LayerSurface& surface)
+/// Where the targets of a group are; the last is repeated where there are fewer than lanes.
+std::array<double, 3 * lanes> positions(const Lanes& group, const Points& vertices)
 {
-  return (surface.rules->vertices() + lanes - 1) / lanes;
+  std::array<double, 3 * lanes> position;
+  const int count = static_cast<int>(group.target.size());
+  for (int lane = 0; lane < lanes; ++lane)
+    for (int c = 0; c < 3; ++c)
+      position[c * lanes + lane] = vertices(group.target[std::min(lane, count - 1)], c);
+  return position;
 }
 
-LaneMask all_lanes()
+/// `set` in the lanes of the bits, `clear` in the others.
+LaneMask mask_of(unsigned bits, double set, double clear = 0)
 {
   LaneMask mask;
-  mask.fill(1);
+  for (int lane = 0; lane < lanes; ++lane)
+    mask[lane] = bits >> lane & 1U ? set : clear;
   return mask;
 }
 
-/// 1 for the lanes whose target has the element in its list.
-LaneMask lanes_of(const Group& group, const AdjacencyList& list, int element)
-{
-  LaneMask mask{};
-  for (int lane = 0; lane < group.count; ++lane)
-    mask[lane] =
-      std::binary_search(list.begin(group.target[lane]), list.end(group.target[lane]), element);
-  return mask;
-}
-
-/// Elements that touch a target or are next to it: those have rows of their own for it.
-std::vector<int> special_elements(const Group& group, const LayerRules& rules)
-{
-  std::vector<int> special;
-  for (int lane = 0; lane < group.count; ++lane)
-    for (const AdjacencyList* list : { &rules.touching(), &rules.close() })
-      special.insert(special.end(), list->begin(group.target[lane]), list->end(group.target[lane]));
-  std::sort(special.begin(), special.end());
-  special.erase(std::unique(special.begin(), special.end()), special.end());
-  return special;
-}
+const LaneMask all_lanes = mask_of(0, 0, 1);
+constexpr unsigned all_bits = (1U << lanes) - 1;
 
 /// Of the elements next to a target the near rule's rows, of those that touch it its Duffy rows;
 /// add(sources, begin, end, mask).
 template<class Sources, class Add>
-void add_near_and_singular(const Group& group, const LayerRules& rules,
-  const std::vector<int>& special, const RuleSources<Sources>& sources, Add add)
+void add_near_and_singular(
+  const Lanes& group, const LayerRules& rules, const RuleSources<Sources>& sources, Add add)
 {
   const std::vector<int>& near = rules.near().start;
-  for (int e : special)
-    if (const LaneMask close = lanes_of(group, rules.close(), e); close != LaneMask{})
-      add(sources.near, near[e], near[e + 1], close);
-  for (int lane = 0; lane < group.count; ++lane)
+  for (const auto& [element, touching, close] : group.special)
+    if (close != 0)
+      add(sources.near, near[element], near[element + 1], mask_of(close, 1));
+  for (std::size_t lane = 0; lane < group.target.size(); ++lane)
   {
-    LaneMask only{};
-    only[lane] = 1;
     const int* start = rules.singular().start.data() + group.target[lane];
-    add(sources.singular, start[0], start[1], only);
+    add(sources.singular, start[0], start[1], mask_of(1U << lane, 1));
   }
-}
-
-/// Lanes whose target is next to an element or touches it.
-LaneMask lanes_at(const Group& group, const LayerRules& rules, int element)
-{
-  LaneMask at = lanes_of(group, rules.touching(), element);
-  const LaneMask close = lanes_of(group, rules.close(), element);
-  for (int lane = 0; lane < lanes; ++lane)
-    at[lane] += close[lane];
-  return at;
 }
 
 /// All rows of a surface for targets of its own.
 template<class Sources, class Add>
 void add_own_rows(
-  const Group& group, const LayerRules& rules, const RuleSources<Sources>& sources, Add add)
+  const Lanes& group, const LayerRules& rules, const RuleSources<Sources>& sources, Add add)
 {
   const std::vector<int>& regular = rules.regular().start;
-  const std::vector<int> special = special_elements(group, rules);
   int row = 0;
-  for (int e : special)
+  for (const auto& [element, touching, close] : group.special)
   {
-    add(sources.regular, row, regular[e], all_lanes());
-    row = regular[e + 1];
-    LaneMask others = lanes_at(group, rules, e);
-    for (double& lane : others)
-      lane = 1 - lane;
-    if (others != LaneMask{})
-      add(sources.regular, regular[e], row, others);
+    add(sources.regular, row, regular[element], all_lanes);
+    row = regular[element + 1];
+    if (const unsigned at = touching | close; at != all_bits)
+      add(sources.regular, regular[element], row, mask_of(at, 0, 1));
   }
-  add(sources.regular, row, regular.back(), all_lanes());
-  add_near_and_singular(group, rules, special, sources, add);
+  add(sources.regular, row, regular.back(), all_lanes);
+  add_near_and_singular(group, rules, sources, add);
 }
 
 /// The difference between a surface's rows for targets of its own and all of its regular ones.
 template<class Sources, class Add>
 void add_corrections(
-  const Group& group, const LayerRules& rules, const RuleSources<Sources>& sources, Add add)
+  const Lanes& group, const LayerRules& rules, const RuleSources<Sources>& sources, Add add)
 {
   const std::vector<int>& regular = rules.regular().start;
-  const std::vector<int> special = special_elements(group, rules);
-  for (int e : special)
-  {
-    LaneMask minus = lanes_at(group, rules, e);
-    for (double& lane : minus)
-      lane = -lane;
-    add(sources.regular, regular[e], regular[e + 1], minus);
-  }
-  add_near_and_singular(group, rules, special, sources, add);
+  for (const auto& [element, touching, close] : group.special)
+    add(sources.regular, regular[element], regular[element + 1], mask_of(touching | close, -1));
+  add_near_and_singular(group, rules, sources, add);
 }
 
 /// A rule's points at a shape, as kernels read them that scatter to nodes.
@@ -158,8 +112,8 @@ LayerPoints::LayerPoints(const BasisTable& table, const Points& control)
 {
 }
 
-StokesOperator::StokesOperator(std::vector<LayerSurface> surfaces, FarSum far)
-  : surfaces_(std::move(surfaces)), first_{ 0 }, add_far_(std::move(far))
+StokesOperator::StokesOperator(std::vector<LayerSurface> surfaces)
+  : surfaces_(std::move(surfaces)), first_{ 0 }
 {
   for (const LayerSurface& s : surfaces_)
   {
@@ -170,33 +124,43 @@ StokesOperator::StokesOperator(std::vector<LayerSurface> surfaces, FarSum far)
   }
 }
 
+RuleSources<StokesletSources> StokesOperator::node_sources(int source) const
+{
+  const LayerRules& rules = *surfaces_[source].rules;
+  const auto& [regular, near, singular] = points_[source];
+  return { vesicle::node_sources(rules.regular().table, regular),
+    vesicle::node_sources(rules.near().table, near),
+    vesicle::node_sources(rules.singular().table, singular) };
+}
+
 // For every group of targets on any surface: sums over the source's rows, 6 numbers a node and lane,
 // in room(number of the group), then write(first vertex of the surface, group, number, sums).
 template<class Room, class Write>
 void StokesOperator::for_each_group(int source, Room room, Write write) const
 {
   const LayerRules& rules = *surfaces_[source].rules;
-  const auto& [regular, near, singular] = points_[source];
-  const RuleSources<StokesletSources> sources{ node_sources(rules.regular().table, regular),
-    node_sources(rules.near().table, near), node_sources(rules.singular().table, singular) };
+  const RuleSources<StokesletSources> sources = node_sources(source);
+  std::vector<int> place(rules.vertices()); // of each node, its own
+  std::iota(place.begin(), place.end(), 0);
   int first_group = 0;
   for (int s = 0; s < static_cast<int>(surfaces_.size()); ++s)
   {
-    parallel_for(group_count(surfaces_[s]),
+    parallel_for(static_cast<int>(surfaces_[s].rules->groups().size()),
       [&](int number)
       {
-        const Group group(surfaces_[s], number);
+        const Lanes& group = surfaces_[s].rules->groups()[number];
+        const auto position = positions(group, surfaces_[s].vertices);
         double* sum = room(first_group + number);
         std::fill_n(sum, static_cast<long>(rules.vertices()) * stride, 0.);
         const auto add = [&](const StokesletSources& rows, int begin, int end, const LaneMask& mask)
-        { add_stokeslets(rows, begin, end, group.position.data(), mask.data(), sum); };
+        { add_stokeslets(rows, begin, end, position.data(), mask.data(), place.data(), sum); };
         if (s == source)
           add_own_rows(group, rules, sources, add);
         else
-          add(sources.regular, 0, rules.regular().start.back(), all_lanes());
+          add(sources.regular, 0, rules.regular().start.back(), all_lanes);
         write(first_[s], group, first_group + number, sum);
       });
-    first_group += group_count(surfaces_[s]);
+    first_group += static_cast<int>(surfaces_[s].rules->groups().size());
   }
 }
 
@@ -204,15 +168,16 @@ void StokesOperator::fill(int source, LayerMatrix& matrix) const
 {
   int groups = 0;
   for (const LayerSurface& surface : surfaces_)
-    groups += group_count(surface);
+    groups += static_cast<int>(surface.rules->groups().size());
   matrix.resize(groups, surfaces_[source].rules->vertices(), vertices());
   for_each_group(
     source, [&](int number) { return matrix.group(number); },
-    [&](int first, const Group& group, int number, const double*)
+    [&](int first, const Lanes& group, int number, const double*)
     {
       int* targets = matrix.targets(number);
       for (int lane = 0; lane < lanes; ++lane)
-        targets[lane] = lane < group.count ? first + group.target[lane] : -1;
+        targets[lane] =
+          lane < static_cast<int>(group.target.size()) ? first + group.target[lane] : -1;
     });
 }
 
@@ -231,7 +196,7 @@ DenseMatrix StokesOperator::columns(int source, const NodalDensities& densities)
       sum.resize(static_cast<std::size_t>(n) * stride);
       return sum.data();
     },
-    [&](int first, const Group& group, int, const double* sum)
+    [&](int first, const Lanes& group, int, const double* sum)
     {
       thread_local std::vector<double> column; // of each density: x, y, z of all lanes
       column.assign(static_cast<std::size_t>(m) * 3 * lanes, 0);
@@ -255,7 +220,7 @@ DenseMatrix StokesOperator::columns(int source, const NodalDensities& densities)
           }
         }
       }
-      for (int lane = 0; lane < group.count; ++lane)
+      for (std::size_t lane = 0; lane < group.target.size(); ++lane)
         for (int c = 0; c < 3; ++c)
         {
           double* row = matrix.row(3 * (first + group.target[lane]) + c).data();
@@ -297,11 +262,16 @@ struct LoadedPoints
 
 }
 
-Eigen::VectorXd StokesOperator::apply(std::span<const ForceDensity> densities) const
+Points StokesOperator::targets() const
 {
   Points targets(vertices(), 3);
   for (std::size_t s = 0; s < surfaces_.size(); ++s)
     targets.middleRows(first_[s], surfaces_[s].vertices.rows()) = surfaces_[s].vertices;
+  return targets;
+}
+
+Eigen::VectorXd StokesOperator::apply(std::span<const ForceDensity> densities) const
+{
   Points velocity = Points::Zero(vertices(), 3);
   for (std::size_t s = 0; s < surfaces_.size(); ++s)
   {
@@ -310,22 +280,47 @@ Eigen::VectorXd StokesOperator::apply(std::span<const ForceDensity> densities) c
     const LoadedPoints far(rules.regular().table, regular, densities[s]),
       close(rules.near().table, near, densities[s]),
       own(rules.singular().table, singular, densities[s]);
-    add_far_(far.sources, targets, velocity);
+    DirectSum(regular.surface.position, targets())
+      .add(
+        (far.force.array().colwise() * regular.weight.array()).matrix(), Precision::full, velocity);
     const RuleSources<ForceSources> sources{ far.sources, close.sources, own.sources };
-    parallel_for(group_count(surfaces_[s]),
+    parallel_for(static_cast<int>(rules.groups().size()),
       [&](int number)
       {
-        const Group group(surfaces_[s], number);
+        const Lanes& group = rules.groups()[number];
+        const auto position = positions(group, surfaces_[s].vertices);
         std::array<double, 4 * lanes> sum{};
         add_corrections(group, rules, sources,
           [&](const ForceSources& rows, int begin, int end, const LaneMask& mask)
-          { add_velocities(rows, begin, end, group.position.data(), mask.data(), sum.data()); });
-        for (int lane = 0; lane < group.count; ++lane)
+          { add_velocities(rows, begin, end, position.data(), mask.data(), sum.data()); });
+        for (std::size_t lane = 0; lane < group.target.size(); ++lane)
           for (int c = 0; c < 3; ++c)
             velocity(first_[s] + group.target[lane], c) += sum[c * lanes + lane];
       });
   }
   return velocity.reshaped<Eigen::RowMajor>();
+}
+
+LayerCorrections StokesOperator::corrections(int source) const
+{
+  const LayerRules& rules = *surfaces_[source].rules;
+  const RuleSources<StokesletSources> sources = node_sources(source);
+  LayerCorrections result(rules);
+  parallel_for(static_cast<int>(rules.groups().size()),
+    [&](int number)
+    {
+      const Lanes& group = rules.groups()[number];
+      const auto position = positions(group, surfaces_[source].vertices);
+      thread_local std::vector<int> place; // of each node in the group's list
+      place.resize(rules.vertices());
+      for (std::size_t k = 0; k < group.nodes.size(); ++k)
+        place[group.nodes[k]] = static_cast<int>(k);
+      double* sum = result.group(number);
+      add_corrections(group, rules, sources,
+        [&](const StokesletSources& rows, int begin, int end, const LaneMask& mask)
+        { add_stokeslets(rows, begin, end, position.data(), mask.data(), place.data(), sum); });
+    });
+  return result;
 }
 
 Eigen::VectorXd multiply(const DenseMatrix& A, const Eigen::VectorXd& x, Eigen::Index first)

@@ -3,8 +3,8 @@
 // u(x_i) = (1/8πμ) ∮ G(x_i, y) f(y) dS(y), G = I/r + X Xᵀ/r³, X = y − x_i, paper (11)–(13), with
 // μ = 1. Anywhere else: FlowField.h.
 
-#include "solver/stokes/FarSum.h"
 #include "solver/stokes/ForceDensity.h"
+#include "solver/stokes/LayerCorrections.h"
 #include "solver/stokes/LayerMatrix.h"
 #include "solver/stokes/LayerRules.h"
 
@@ -49,13 +49,13 @@ struct RuleSources;
 class StokesOperator
 {
 public:
-  explicit StokesOperator(std::vector<LayerSurface> surfaces, FarSum far = add_direct_sum);
+  explicit StokesOperator(std::vector<LayerSurface> surfaces);
 
   /// All vertices.
   int vertices() const { return first_.back(); }
 
-  /// The velocities that force densities make, one for each surface: 3N. The sum over the
-  /// regular rules of all surfaces by the far sum, then the corrections near and at each surface's own vertices.
+  /// The velocities that force densities make, one for each surface: 3N. The direct sum over the
+  /// regular rules of all surfaces, then the corrections near and at each surface's own vertices.
   Eigen::VectorXd apply(std::span<const ForceDensity> densities) const;
 
   /// The velocities that each density of surface `source` makes at all vertices: 3N by their
@@ -66,7 +66,14 @@ public:
   /// The same, to be applied; the memory of `matrix` is used again.
   void fill(int source, LayerMatrix& matrix) const;
 
+  /// What a source's near and singular rules add to its regular one, at its own vertices.
+  LayerCorrections corrections(int source) const;
+  const LayerPoints& regular_points(int source) const { return points_[source].regular; }
+  /// The vertices of all surfaces, N by 3.
+  Points targets() const;
+
 private:
+  RuleSources<StokesletSources> node_sources(int source) const;
   template<class Room, class Write>
   void for_each_group(int source, Room room, Write write) const;
 
@@ -77,7 +84,6 @@ private:
   std::vector<LayerSurface> surfaces_;
   std::vector<Rules> points_; ///< of each surface
   std::vector<int> first_;    ///< first vertex of each surface, and the number of all
-  FarSum add_far_;            ///< of apply
 };
 
 /// y = A(:, first:) x over x.size() columns; rows in parallel, each summed in a fixed order.

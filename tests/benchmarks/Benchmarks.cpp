@@ -8,7 +8,7 @@
 #include "solver/simulation/SystemOfScene.h"
 #include "solver/simulation/Simulation.h"
 #include "solver/simulation/StartMesh.h"
-#include "solver/stokes/StokesletKernel.h"
+#include "solver/stokes/kernels/StokesletKernel.h"
 #include "solver/surface/NodeFrames.h"
 
 #include <Eigen/SparseCholesky>
@@ -22,31 +22,28 @@ namespace
 
 using namespace vesicle;
 
-// Stokeslets between points and eight targets at a time, each source felt by one node: the kernel
-// alone.
+// Forces at points and their velocities at others: the kernel alone.
+template<class Real>
 void KernelRate(benchmark::State& state)
 {
-  const int sources = 4096;
-  std::vector<double> x(sources), y(sources), z(sources), weight(sources, 1), value(sources, 1);
-  std::vector<int> start(sources + 1), node(sources, 0), element(sources);
-  std::iota(start.begin(), start.end(), 0);
-  std::iota(element.begin(), element.end(), 0);
+  const int sources = 1024;
+  std::vector<Real> x(sources), y(sources), z(sources), f(sources, 1);
   for (int i = 0; i < sources; ++i)
-    x[i] = 2 + 0.001 * i, y[i] = 1 + 0.002 * i, z[i] = 3;
-  const StokesletSources s{ x.data(), y.data(), z.data(), weight.data(), element.data(),
-    start.data(), node.data(), value.data() };
-  std::vector<double> targets(3 * stokeslet_lanes), mask(stokeslet_lanes, 1),
-    sum(6 * stokeslet_lanes);
-  std::iota(targets.begin(), targets.end(), -24.);
+    x[i] = 2 + Real(0.001) * i, y[i] = 1 + Real(0.002) * i, z[i] = 3;
+  const PointForces<Real> forces{ x.data(), y.data(), z.data(), f.data(), f.data(), f.data(),
+    sources };
+  std::vector<Real> targets(3 * sum_lanes), velocities(3 * sum_lanes);
+  std::iota(targets.begin(), targets.end(), Real(-48));
   for (auto _ : state)
   {
-    add_stokeslets(s, 0, sources, targets.data(), mask.data(), sum.data());
-    benchmark::DoNotOptimize(sum.data());
+    add_point_forces(forces, targets.data(), velocities.data());
+    benchmark::DoNotOptimize(velocities.data());
   }
   state.counters["pairs/s"] = benchmark::Counter(
-    static_cast<double>(sources) * stokeslet_lanes, benchmark::Counter::kIsIterationInvariantRate);
+    static_cast<double>(sources) * sum_lanes, benchmark::Counter::kIsIterationInvariantRate);
 }
-BENCHMARK(KernelRate);
+BENCHMARK_TEMPLATE(KernelRate, double);
+BENCHMARK_TEMPLATE(KernelRate, float);
 
 void FactorizationRate(benchmark::State& state)
 {

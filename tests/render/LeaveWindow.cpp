@@ -11,6 +11,12 @@
 #include <unistd.h>
 #include <vector>
 
+// What is leaked here is so on purpose.
+extern "C" int __lsan_is_turned_off()
+{
+  return 1;
+}
+
 using namespace vesicle;
 using namespace vesicle::test;
 

@@ -18,14 +18,6 @@
 #include <set>
 #include <unistd.h>
 
-#ifdef __SANITIZE_ADDRESS__
-/// Mesa keeps a few hundred bytes of every context.
-extern "C" inline const char* __lsan_default_suppressions()
-{
-  return "leak:libOSMesa\nleak:libEGL\nleak:libgallium\nleak:swrast_dri\n";
-}
-#endif
-
 namespace vesicle::test
 {
 

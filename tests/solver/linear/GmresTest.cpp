@@ -38,6 +38,29 @@ TEST(Gmres, NeedsOneIterationWithTheInverseAndReportsTheTrueResidual)
   EXPECT_LT((A * result.solution - b).norm(), 1e-10 * b.norm());
 }
 
+// Errors as large as allowed: the true residual is still what was wanted.
+TEST(Gmres, ErrorsThatAreAllowedDontCount)
+{
+  std::srand(5);
+  const int n = 200;
+  const Eigen::MatrixXd A =
+    Eigen::MatrixXd::Identity(n, n) + 0.4 / std::sqrt(n) * Eigen::MatrixXd::Random(n, n);
+  const Eigen::VectorXd b = Eigen::VectorXd::Random(n);
+  const double wanted = 1e-10 * b.norm();
+  double largest = 0;
+  const auto result = gmres(
+    [&](const Eigen::VectorXd& x, double allowed) -> Eigen::VectorXd
+    {
+      largest = std::max(largest, allowed);
+      const Eigen::VectorXd y = A * x;
+      return y + allowed * y.norm() * Eigen::VectorXd::Random(n).normalized();
+    },
+    identity, b, [&](const Eigen::VectorXd&) { return wanted; }, n);
+  EXPECT_TRUE(result.converged);
+  EXPECT_GT(largest, 1e-3);
+  EXPECT_LT((b - A * result.solution).norm(), 1.5 * wanted);
+}
+
 TEST(Gmres, ZeroRightSideGivesZero)
 {
   const auto result = gmres(identity, identity, Eigen::VectorXd::Zero(5), 1e-12, 5);

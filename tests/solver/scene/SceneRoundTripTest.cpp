@@ -81,6 +81,8 @@ void expect_same(const Scene& a, const Scene& b)
   EXPECT_EQ(a.accuracy.integrator, b.accuracy.integrator);
   EXPECT_EQ(a.accuracy.mesh_motion, b.accuracy.mesh_motion);
   EXPECT_EQ(a.accuracy.quadrature, b.accuracy.quadrature);
+  EXPECT_EQ(a.accuracy.layer, b.accuracy.layer);
+  EXPECT_EQ(a.accuracy.precision, b.accuracy.precision);
   EXPECT_EQ(a.accuracy.linear_tolerance, b.accuracy.linear_tolerance);
 
   EXPECT_EQ(a.movie.color, b.movie.color);
@@ -231,6 +233,8 @@ TEST(SceneRoundTrip, EverySetting)
     integrator = "imex-euler"
     mesh_motion = "material"
     quadrature = 12
+    operator = "dense"
+    precision = "double"
     linear_tolerance = 1e-8
     [movie]
     color = "Tension"

@@ -2,6 +2,7 @@
 #include "solver/stokes/StokesOperator.h"
 
 #include "solver/stokes/LayerModes.h"
+#include "solver/stokes/LayerSum.h"
 #include "solver/surface/LoopBasis.h"
 #include "solver/surface/Surface.h"
 #include "tests/solver/support/TestMeshes.h"
@@ -152,6 +153,39 @@ TEST(StokesOperator, LayerMatricesAreThoseOfTheWholeMatrix)
     const DenseMatrix S = layer.matrix(source);
     const Eigen::VectorXd f = Eigen::VectorXd::LinSpaced(S.cols(), 0, 40).array().sin(), u = S * f;
     EXPECT_LT((matrix * f - u).norm(), 1e-14 * u.norm()) << source;
+  }
+}
+
+// Two surfaces on which near, graded and singular rules differ, neither a multiple of the lanes.
+TEST(LayerSum, IsTheWholeMatrixApplied)
+{
+  const TriangleMesh large = mapped(jittered_sphere(4, 0.2), test::paper_surface);
+  TriangleMesh small = jittered_sphere(2, 0.2);
+  small.points.rowwise() += Eigen::RowVector3d(3, 0, 0);
+  const auto basis_of = [](const TriangleMesh& mesh)
+  { return LoopBasis(mesh.triangles, static_cast<int>(mesh.points.rows())); };
+  const LoopBasis of_large = basis_of(large), of_small = basis_of(small);
+  for (const int points : { 3, 6 })
+  {
+    const LayerRules first(of_large, layer_quadrature(of_large, points)),
+      second(of_small, layer_quadrature(of_small, points));
+    const std::vector<LayerSurface> surfaces{ { &first, large.points,
+                                                Collocation(of_large).fit(large.points) },
+      { &second, small.points, Collocation(of_small).fit(small.points) } };
+    const StokesOperator layer(surfaces);
+    const LayerSum sum(surfaces);
+    std::vector<Eigen::VectorXd> densities;
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(3 * layer.vertices());
+    for (int source = 0; source < 2; ++source)
+    {
+      const DenseMatrix S = layer.matrix(source);
+      densities.emplace_back(Eigen::VectorXd::LinSpaced(S.cols(), 0, 40).array().sin());
+      u += S * densities.back();
+    }
+    EXPECT_LT((sum.apply(densities) - u).norm(), 1e-13 * u.norm()) << points;
+    EXPECT_LT(
+      (sum.apply(densities, Precision::single) - u).norm(), single_precision_error * u.norm())
+      << points;
   }
 }
 

@@ -1,17 +1,71 @@
-#include "solver/stokes/StokesletKernel.h"
+// The loops of StokesletKernel.h, for the instruction set that the file which includes this is compiled
+// for, as `loops`. Nothing that isn't always inlined or in this file may be called: the linker could
+// take it for the others, too.
 
 #include "solver/Multiversion.h"
+#include "solver/stokes/kernels/StokesletLoops.h"
 
 #include <cstring>
+#include <type_traits>
+#ifdef __AVX512F__
+#include <immintrin.h>
+#endif
 
 namespace vesicle
 {
-
 namespace
 {
 
-using Lanes = double __attribute__((vector_size(8 * stokeslet_lanes)));
-using LaneBits = long long __attribute__((vector_size(8 * stokeslet_lanes)));
+// 64 bytes, in as many registers as that takes.
+using Doubles = double __attribute__((vector_size(64)));
+using Floats = float __attribute__((vector_size(64)));
+template<class Real>
+using Wide = std::conditional_t<sizeof(Real) == sizeof(double), Doubles, Floats>;
+
+// y ← 1/√s from a y with s y² = 1 − e: the series to e³, which leaves 35/128 e⁴.
+template<class Real, class Vector>
+VESICLE_INLINE void improve(Vector& y, const Vector& s)
+{
+  constexpr Real a = 1. / 2, b = 3. / 8, c = 5. / 16;
+  const Vector e = 1 - s * y * y;
+  y += y * e * (a + e * (b + e * c));
+}
+
+// 1/√s to rounding, of positive numbers. Square roots and divisions are slower.
+#ifdef __AVX512F__
+VESICLE_INLINE void inverse_root(Doubles& y, const Doubles& s)
+{
+  y = (Doubles)_mm512_maskz_rsqrt14_pd(0xff, (__m512d)s);
+  improve<double>(y, s);
+}
+VESICLE_INLINE void inverse_root(Floats& y, const Floats& s)
+{
+  y = (Floats)_mm512_maskz_rsqrt14_ps(0xffff, (__m512)s);
+  y += 0.5f * y * (1 - s * y * y);
+}
+#else
+// The seed by the exponent is 3% off, once improved 7e-6.
+VESICLE_INLINE void inverse_root(Doubles& y, const Doubles& s)
+{
+  long long __attribute__((vector_size(64))) bits;
+  std::memcpy(&bits, &s, sizeof bits);
+  bits = 0x5fe6eb50c7b537a9LL - (bits >> 1);
+  std::memcpy(&y, &bits, sizeof y);
+  improve<double>(y, s);
+  improve<double>(y, s);
+}
+VESICLE_INLINE void inverse_root(Floats& y, const Floats& s)
+{
+  int __attribute__((vector_size(64))) bits;
+  std::memcpy(&bits, &s, sizeof bits);
+  bits = 0x5f375a86 - (bits >> 1);
+  std::memcpy(&y, &bits, sizeof y);
+  improve<float>(y, s);
+  y += 0.5f * y * (1 - s * y * y);
+}
+#endif
+
+using Lanes = Doubles; // stokeslet_lanes of them
 
 struct Targets
 {
@@ -43,18 +97,8 @@ VESICLE_INLINE void evaluate(Pair& p, const StokesletSources& s, int q, const Ta
   p.dy = s.y[q] - t.y;
   p.dz = s.z[q] - t.z;
   const Lanes r2 = p.dx * p.dx + p.dy * p.dy + p.dz * p.dz;
-  // 1/√r² from a seed by its exponent (3% off); each Newton step squares the error, four reach
-  // double precision. Vector square roots and divisions are slower and don't vectorise portably.
-  LaneBits bits;
-  std::memcpy(&bits, &r2, sizeof bits);
-  bits = 0x5fe6eb50c7b537a9LL - (bits >> 1);
   Lanes inverse;
-  std::memcpy(&inverse, &bits, sizeof inverse);
-  const Lanes half = 0.5 * r2;
-  inverse *= 1.5 - half * inverse * inverse;
-  inverse *= 1.5 - half * inverse * inverse;
-  inverse *= 1.5 - half * inverse * inverse;
-  inverse *= 1.5 - half * inverse * inverse;
+  inverse_root(inverse, r2);
   p.over_r = s.weight[q] * t.mask * inverse;
   p.over_r3 = p.over_r * inverse * inverse;
 }
@@ -73,8 +117,6 @@ VESICLE_INLINE double* entry_of(double* sum, int node)
   return sum + static_cast<long>(node) * (stokeslet_components * stokeslet_lanes);
 }
 
-}
-
 // Rows of one element feel the same nodes: up to this many are added to a node at once.
 constexpr int group_size = 6;
 
@@ -86,9 +128,8 @@ VESICLE_INLINE int group_end(const StokesletSources& s, int q, int end)
   return last;
 }
 
-VESICLE_MULTIVERSION
 void add_stokeslets(const StokesletSources& s, int begin, int end, const double* targets,
-  const double* mask, double* sum)
+  const double* mask, const int* place, double* sum)
 {
   Targets t;
   load(t, targets, mask);
@@ -112,7 +153,7 @@ void add_stokeslets(const StokesletSources& s, int begin, int end, const double*
     const double* value = s.value + s.start[q];
     for (int k = 0; k < width; ++k)
     {
-      double* entry = entry_of(sum, s.node[s.start[q] + k]);
+      double* entry = entry_of(sum, place[s.node[s.start[q] + k]]);
       for (int c = 0; c < 6; ++c)
       {
         Lanes total;
@@ -125,7 +166,6 @@ void add_stokeslets(const StokesletSources& s, int begin, int end, const double*
   }
 }
 
-VESICLE_MULTIVERSION
 void multiply_stokeslets(const double* sum, int nodes, const double* vectors, double* velocities)
 {
   Lanes x{}, y{}, z{};
@@ -143,7 +183,6 @@ void multiply_stokeslets(const double* sum, int nodes, const double* vectors, do
   std::memcpy(velocities + 2 * stokeslet_lanes, &z, sizeof z);
 }
 
-VESICLE_MULTIVERSION
 void add_velocities(
   const ForceSources& s, int begin, int end, const double* targets, const double* mask, double* sum)
 {
@@ -168,7 +207,44 @@ void add_velocities(
     std::memcpy(sum + c * stokeslet_lanes, &total[c], sizeof total[c]);
 }
 
-VESICLE_MULTIVERSION
+// Vectors of targets side by side, so that one's arithmetic fills the other's waits.
+template<class Real>
+VESICLE_INLINE void add_forces(const PointForces<Real>& s, const Real* targets, Real* velocities)
+{
+  constexpr int width = 64 / sizeof(Real), vectors = sum_lanes / width;
+  Wide<Real> x[vectors][3], u[vectors][3];
+  for (int v = 0; v < vectors; ++v)
+    for (int c = 0; c < 3; ++c)
+    {
+      std::memcpy(&x[v][c], targets + c * sum_lanes + v * width, 64);
+      std::memcpy(&u[v][c], velocities + c * sum_lanes + v * width, 64);
+    }
+  for (int q = 0; q < s.count; ++q)
+    for (int v = 0; v < vectors; ++v)
+    {
+      const Wide<Real> dx = s.x[q] - x[v][0], dy = s.y[q] - x[v][1], dz = s.z[q] - x[v][2];
+      Wide<Real> over_r;
+      inverse_root(over_r, dx * dx + dy * dy + dz * dz);
+      const Wide<Real> along = (s.fx[q] * dx + s.fy[q] * dy + s.fz[q] * dz) * (over_r * over_r);
+      u[v][0] += over_r * (s.fx[q] + along * dx);
+      u[v][1] += over_r * (s.fy[q] + along * dy);
+      u[v][2] += over_r * (s.fz[q] + along * dz);
+    }
+  for (int v = 0; v < vectors; ++v)
+    for (int c = 0; c < 3; ++c)
+      std::memcpy(velocities + c * sum_lanes + v * width, &u[v][c], 64);
+}
+
+void add_forces_double(const PointForces<double>& s, const double* targets, double* velocities)
+{
+  add_forces(s, targets, velocities);
+}
+
+void add_forces_float(const PointForces<float>& s, const float* targets, float* velocities)
+{
+  add_forces(s, targets, velocities);
+}
+
 double dot(const double* a, const double* b, long n)
 {
   double sum = 0;
@@ -178,4 +254,8 @@ double dot(const double* a, const double* b, long n)
   return sum;
 }
 
+constexpr StokesletLoops loops{ add_stokeslets, multiply_stokeslets, add_velocities,
+  add_forces_double, add_forces_float, dot };
+
+}
 }

@@ -1,0 +1,54 @@
+#include "solver/stokes/LayerSum.h"
+
+#include "solver/ParallelFor.h"
+
+namespace vesicle
+{
+
+LayerSum::LayerSum(const std::vector<LayerSurface>& surfaces)
+{
+  const StokesOperator layer(surfaces);
+  for (int s = 0; s < static_cast<int>(surfaces.size()); ++s)
+  {
+    const LayerPoints& at = layer.regular_points(s);
+    sources_.push_back(
+      { &surfaces[s].rules->regular().table, at.weight, vertices_, points_, layer.corrections(s) });
+    vertices_ += surfaces[s].rules->vertices();
+    points_ += static_cast<int>(at.weight.size());
+  }
+  RowVectors positions(points_, 3);
+  for (int s = 0; s < static_cast<int>(surfaces.size()); ++s)
+    positions.middleRows(sources_[s].first_point, sources_[s].weight.size()) =
+      layer.regular_points(s).surface.position;
+  sum_ = std::make_unique<DirectSum>(positions, layer.targets());
+}
+
+Eigen::VectorXd LayerSum::apply(
+  const std::vector<Eigen::VectorXd>& densities, Precision precision) const
+{
+  constexpr int grain = 256; // rows, some ten thousand operations
+  RowVectors forces(points_, 3);
+  for (std::size_t s = 0; s < sources_.size(); ++s)
+  {
+    const Source& source = sources_[s];
+    const BasisTable& table = *source.table;
+    const double* f = densities[s].data();
+    parallel_for(
+      table.rows(),
+      [&](int q)
+      {
+        Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+        for (int k = table.start[q]; k < table.start[q + 1]; ++k)
+          sum += table.value[k] * Eigen::Map<const Eigen::RowVector3d>(f + 3L * table.node[k]);
+        forces.row(source.first_point + q) = source.weight[q] * sum;
+      },
+      grain);
+  }
+  Points velocity = Points::Zero(vertices_, 3);
+  sum_->add(forces, precision, velocity);
+  for (std::size_t s = 0; s < sources_.size(); ++s)
+    sources_[s].corrections.add(densities[s], sources_[s].first_vertex, velocity);
+  return velocity.reshaped<Eigen::RowMajor>();
+}
+
+}

@@ -1,0 +1,38 @@
+#pragma once
+// The single layer between the nodes of all surfaces and the vertices of all, applied without its
+// matrix: densities at the points of the regular rules, a sum over all pairs of points and vertices,
+// and sparse corrections near and at each surface's own vertices.
+
+#include "solver/stokes/PointSum.h"
+#include "solver/stokes/StokesOperator.h"
+
+#include <memory>
+
+namespace vesicle
+{
+
+/// At one shape. The surfaces' rules must outlive it.
+class LayerSum
+{
+public:
+  explicit LayerSum(const std::vector<LayerSurface>& surfaces);
+
+  /// Velocities at all vertices, 3N, of f = Σ N_k f_k: 3 numbers a node of each surface. Threads share
+  /// points and vertices; results do not depend on their number.
+  Eigen::VectorXd apply(
+    const std::vector<Eigen::VectorXd>& densities, Precision precision = Precision::full) const;
+
+private:
+  struct Source
+  {
+    const BasisTable* table;
+    Eigen::VectorXd weight;        ///< of the table's rows; contains dS/8πμ
+    int first_vertex, first_point; ///< among all
+    LayerCorrections corrections;
+  };
+  std::vector<Source> sources_;
+  std::unique_ptr<const PointSum> sum_;
+  int points_ = 0, vertices_ = 0;
+};
+
+}

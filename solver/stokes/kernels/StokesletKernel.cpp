@@ -1,0 +1,65 @@
+#include "solver/stokes/kernels/StokesletKernel.h"
+
+#include "solver/stokes/kernels/StokesletLoops.h"
+
+namespace vesicle
+{
+
+namespace
+{
+
+const StokesletLoops& widest_loops()
+{
+#ifdef VESICLE_X86_LOOPS
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+    __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+    __builtin_cpu_supports("avx512vl"))
+    return avx512_loops();
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+    __builtin_cpu_supports("bmi2"))
+    return avx2_loops();
+#endif
+  return portable_loops();
+}
+
+const StokesletLoops& loops()
+{
+  static const StokesletLoops& chosen = widest_loops();
+  return chosen;
+}
+
+}
+
+void add_stokeslets(const StokesletSources& sources, int begin, int end, const double* targets,
+  const double* mask, const int* place, double* sum)
+{
+  loops().add_stokeslets(sources, begin, end, targets, mask, place, sum);
+}
+
+void multiply_stokeslets(const double* sum, int nodes, const double* vectors, double* velocities)
+{
+  loops().multiply_stokeslets(sum, nodes, vectors, velocities);
+}
+
+void add_velocities(const ForceSources& sources, int begin, int end, const double* targets,
+  const double* mask, double* sum)
+{
+  loops().add_velocities(sources, begin, end, targets, mask, sum);
+}
+
+void add_point_forces(const PointForces<double>& forces, const double* targets, double* velocities)
+{
+  loops().add_forces_double(forces, targets, velocities);
+}
+
+void add_point_forces(const PointForces<float>& forces, const float* targets, float* velocities)
+{
+  loops().add_forces_float(forces, targets, velocities);
+}
+
+double dot(const double* a, const double* b, long n)
+{
+  return loops().dot(a, b, n);
+}
+
+}

@@ -1,0 +1,69 @@
+#pragma once
+// The inner loops of the single layer. Compiled for several instruction sets (StokesletLoops.h); the
+// widest that the processor has is chosen at run time.
+
+#include <numbers>
+
+namespace vesicle
+{
+
+/// Targets are taken in groups, one a lane: then scattering a source point to the nodes it feels is
+/// a handful of vector operations, whatever the basis.
+inline constexpr int stokeslet_lanes = 8;
+/// Numbers that each node accumulates for each lane.
+inline constexpr int stokeslet_components = 6;
+/// 1/8π of the Stokeslet, μ = 1.
+inline constexpr double kernel_factor = 0.125 * std::numbers::inv_pi;
+
+/// Source points: the rows of a basis table at a shape.
+struct StokesletSources
+{
+  const double *x, *y, *z, *weight; ///< of every row; weight contains dS/8πμ
+  const int* element;               ///< of every row; rows of one element have the same nodes
+  const int *start, *node;          ///< the rows' entries in the basis table
+  const double* value;
+};
+
+/// For every entry (row, node k, N_k) of rows [begin, end), the components xx, xy, xz, yy, yz, zz
+/// of weight · N_k · G are added to sum[(6 place[k] + component) · lanes + lane]. `targets` holds x,
+/// y, z of the lanes (3 · lanes); `mask` (lanes) multiplies the weight.
+void add_stokeslets(const StokesletSources& sources, int begin, int end, const double* targets,
+  const double* mask, const int* place, double* sum);
+
+/// What add_stokeslets has made, at places 0 to nodes − 1, times their vectors (3 a node): the
+/// velocities of the lanes, x, y, z (3 · lanes).
+void multiply_stokeslets(const double* sum, int nodes, const double* vectors, double* velocities);
+
+/// Source points with a known force.
+struct ForceSources : StokesletSources
+{
+  const double* force;  ///< of every row: f, 3 numbers, one component after the other
+  const double* normal; ///< of every row, stored like f
+  int rows;
+};
+
+/// Rows [begin, end) are added up: Σ weight G f (3 components) and Σ weight X·n/r³, X from the
+/// target to the source, are added to sum[component · lanes + lane].
+void add_velocities(const ForceSources& sources, int begin, int end, const double* targets,
+  const double* mask, double* sum);
+
+/// Forces at points, one array a component.
+template<class Real>
+struct PointForces
+{
+  const Real *x, *y, *z, *fx, *fy, *fz;
+  int count;
+};
+
+/// Targets of a sum of point forces.
+inline constexpr int sum_lanes = 16;
+
+/// Σ G f at the targets x, y, z of sum_lanes each is added to `velocities`, which lie as they do.
+/// A target must not be a source. Single precision leaves an error of some 1e-5 of the velocity.
+void add_point_forces(const PointForces<double>& forces, const double* targets, double* velocities);
+void add_point_forces(const PointForces<float>& forces, const float* targets, float* velocities);
+
+/// Σ a_i b_i.
+double dot(const double* a, const double* b, long n);
+
+}

@@ -1,0 +1,30 @@
+#pragma once
+// The loops of StokesletKernel.h, of one instruction set.
+
+#include "solver/stokes/kernels/StokesletKernel.h"
+
+namespace vesicle
+{
+
+struct StokesletLoops
+{
+  void (*add_stokeslets)(const StokesletSources& sources, int begin, int end, const double* targets,
+    const double* mask, const int* place, double* sum);
+  void (*multiply_stokeslets)(
+    const double* sum, int nodes, const double* vectors, double* velocities);
+  void (*add_velocities)(const ForceSources& sources, int begin, int end, const double* targets,
+    const double* mask, double* sum);
+  void (*add_forces_double)(
+    const PointForces<double>& forces, const double* targets, double* velocities);
+  void (*add_forces_float)(
+    const PointForces<float>& forces, const float* targets, float* velocities);
+  double (*dot)(const double* a, const double* b, long n);
+};
+
+const StokesletLoops& portable_loops();
+#ifdef VESICLE_X86_LOOPS
+const StokesletLoops& avx2_loops();   ///< AVX2 and FMA: x86-64-v3
+const StokesletLoops& avx512_loops(); ///< x86-64-v4
+#endif
+
+}
