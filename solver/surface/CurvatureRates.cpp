@@ -1,6 +1,7 @@
 #include "solver/surface/CurvatureRates.h"
 
 #include "solver/ParallelFor.h"
+#include "solver/surface/NodalSum.h"
 
 namespace vesicle
 {
@@ -79,12 +80,14 @@ Eigen::VectorXd integrated_mean_curvature_gradient(
   const BasisTable& table, const SurfacePoints& surface, const Points& control)
 {
   const CurvatureRates rates = curvature_rates(table, surface, control);
-  Eigen::VectorXd gradient = Eigen::VectorXd::Zero(3 * table.nodes);
-  for (int q = 0; q < table.rows(); ++q)
-    for (int k = table.start[q]; k < table.start[q + 1]; ++k)
-      gradient.segment<3>(3 * table.node[k]) += surface.area_weight[q] / 2 *
-        (rates.of_twice_mean.row(k) + rates.twice_mean[q] * rates.of_area.row(k)).transpose();
-  return gradient;
+  const Points gradient = nodal_sum<3>(table,
+    [&](Points& sum, int q)
+    {
+      for (int k = table.start[q]; k < table.start[q + 1]; ++k)
+        sum.row(table.node[k]) += surface.area_weight[q] / 2 *
+          (rates.of_twice_mean.row(k) + rates.twice_mean[q] * rates.of_area.row(k));
+    });
+  return gradient.reshaped<Eigen::RowMajor>();
 }
 
 }

@@ -77,6 +77,13 @@ void ElementSum::end()
     }
 }
 
+ElementSum& ElementSum::operator+=(const ElementSum& other)
+{
+  for (std::size_t i = 0; i < values_.size(); ++i)
+    values_[i] += other.values_[i];
+  return *this;
+}
+
 SparseMatrix ElementSum::matrix() const
 {
   const int nodes = pattern_.nodes();

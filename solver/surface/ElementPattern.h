@@ -2,6 +2,7 @@
 // Matrices over the nodes that are sums over elements: where their entries are, which the table alone
 // decides, so that a sum needs no sorting.
 
+#include "solver/ParallelFor.h"
 #include "solver/surface/Basis.h"
 
 namespace vesicle
@@ -47,6 +48,7 @@ public:
   /// factor · a bᵀ to the element begun, a of `rows`, b of `columns` numbers for each of its nodes.
   void add_outer_product(double factor, const double* a, const double* b);
   void end();
+  ElementSum& operator+=(const ElementSum& other);
 
   SparseMatrix matrix() const;
 
@@ -59,20 +61,31 @@ private:
 };
 
 /// The matrix to which add(sum, row, first entry, width) adds the outer products of each row of the
-/// table, `rows` times N by `columns` times N.
+/// table, `rows` times N by `columns` times N. Threads share the elements' parts, whose sums are added up
+/// in their order: results do not depend on the threads' number.
 template<class Add>
 SparseMatrix element_sum(const BasisTable& table, int rows, int columns, Add add)
 {
+  constexpr std::size_t parts = 4;
   const auto pattern = pattern_of(table);
-  ElementSum sum(*pattern, rows, columns);
-  for (const ElementPattern::Element& e : pattern->elements())
-  {
-    sum.begin(e);
-    for (int q = e.begin; q < e.end; ++q)
-      add(sum, q, table.start[q], e.width);
-    sum.end();
-  }
-  return sum.matrix();
+  const std::span all(pattern->elements());
+  std::vector<ElementSum> sums(parts, ElementSum(*pattern, rows, columns));
+  parallel_for(parts,
+    [&](std::size_t part)
+    {
+      ElementSum& sum = sums[part];
+      const std::size_t first = all.size() * part / parts, last = all.size() * (part + 1) / parts;
+      for (const ElementPattern::Element& e : all.subspan(first, last - first))
+      {
+        sum.begin(e);
+        for (int q = e.begin; q < e.end; ++q)
+          add(sum, q, table.start[q], e.width);
+        sum.end();
+      }
+    });
+  for (std::size_t part = 1; part < parts; ++part)
+    sums[0] += sums[part];
+  return sums[0].matrix();
 }
 
 }

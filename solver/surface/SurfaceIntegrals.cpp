@@ -2,6 +2,7 @@
 
 #include "solver/ParallelFor.h"
 #include "solver/surface/ElementPattern.h"
+#include "solver/surface/NodalSum.h"
 
 #include <vector>
 
@@ -83,8 +84,15 @@ SurfacePoints evaluate(const BasisTable& table, const Points& nodes)
 
 Eigen::VectorXd interpolate(const BasisTable& table, const Eigen::VectorXd& nodal)
 {
-  Eigen::VectorXd values = Eigen::VectorXd::Zero(table.rows());
-  for_each_entry(table, [&](int q, int k) { values[q] += table.value[k] * nodal[table.node[k]]; });
+  Eigen::VectorXd values(table.rows());
+  for_each_row(table.rows(),
+    [&](int q)
+    {
+      double value = 0;
+      for (int k = table.start[q]; k < table.start[q + 1]; ++k)
+        value += table.value[k] * nodal[table.node[k]];
+      values[q] = value;
+    });
   return values;
 }
 
@@ -99,8 +107,7 @@ Eigen::RowVector3d interpolate(const BasisTable& table, int row, const Points& n
 RowVectors interpolate(const BasisTable& table, const Points& nodal)
 {
   RowVectors values(table.rows(), 3);
-  for (int row = 0; row < table.rows(); ++row)
-    values.row(row) = interpolate(table, row, nodal);
+  for_each_row(table.rows(), [&](int row) { values.row(row) = interpolate(table, row, nodal); });
   return values;
 }
 
@@ -172,19 +179,21 @@ Vector3 centroid(const BasisTable& table, const SurfacePoints& s)
 
 Eigen::VectorXd vertex_areas(const BasisTable& table, const SurfacePoints& s)
 {
-  Eigen::VectorXd areas = Eigen::VectorXd::Zero(table.nodes);
-  for_each_entry(
-    table, [&](int q, int k) { areas[table.node[k]] += s.area_weight[q] * table.value[k]; });
-  return areas;
+  return nodal_sum<1>(table,
+    [&](Eigen::VectorXd& areas, int q)
+    {
+      for (int k = table.start[q]; k < table.start[q + 1]; ++k)
+        areas[table.node[k]] += s.area_weight[q] * table.value[k];
+    });
 }
 
 SparseMatrix area_rate_matrix(const BasisTable& table, const SurfacePoints& s)
 {
-  Points gradients;
   return element_sum(table, 1, 3,
     [&](ElementSum& sum, int q, int first, int width)
     {
       const ScaledGradient gradient(table, s, q);
+      thread_local Points gradients;
       gradients.resize(width, 3);
       for (int j = 0; j < width; ++j)
         gradients.row(j) = gradient.of(table, first + j);
@@ -195,13 +204,13 @@ SparseMatrix area_rate_matrix(const BasisTable& table, const SurfacePoints& s)
 // The functions N_k add up to 1.
 Eigen::VectorXd area_gradient(const BasisTable& table, const SurfacePoints& s)
 {
-  Points total = Points::Zero(table.nodes, 3);
-  for (int q = 0; q < table.rows(); ++q)
-  {
-    const ScaledGradient gradient(table, s, q);
-    for (int k = table.start[q]; k < table.start[q + 1]; ++k)
-      total.row(table.node[k]) += gradient.of(table, k);
-  }
+  const Points total = nodal_sum<3>(table,
+    [&](Points& sum, int q)
+    {
+      const ScaledGradient gradient(table, s, q);
+      for (int k = table.start[q]; k < table.start[q + 1]; ++k)
+        sum.row(table.node[k]) += gradient.of(table, k);
+    });
   return total.reshaped<Eigen::RowMajor>();
 }
 
@@ -210,14 +219,14 @@ Eigen::VectorXd volume_gradient(const BasisTable& table, const SurfacePoints& s)
   // V is cubic in the nodes; its exact derivative keeps the tangential parts that cancel only when
   // the quadrature is exact.
   const Row3 origin = reference_point(s);
-  Points gradient = Points::Zero(table.nodes, 3);
-  for_each_entry(table,
-    [&](int q, int k)
+  const Points gradient = nodal_sum<3>(table,
+    [&](Points& sum, int q)
     {
-      const Row3 x = s.position.row(q) - origin;
-      gradient.row(table.node[k]) += table.weight[q] / 3 *
-        (table.value[k] * s.cross.row(q) + table.du[k] * s.tangent_v.row(q).cross(x) +
-          table.dv[k] * x.cross(s.tangent_u.row(q)));
+      const Row3 x = s.position.row(q) - origin, along_u = s.tangent_v.row(q).cross(x),
+                 along_v = x.cross(s.tangent_u.row(q)), n = s.cross.row(q);
+      for (int k = table.start[q]; k < table.start[q + 1]; ++k)
+        sum.row(table.node[k]) += table.weight[q] / 3 *
+          (table.value[k] * n + table.du[k] * along_u + table.dv[k] * along_v);
     });
   return gradient.reshaped<Eigen::RowMajor>();
 }
@@ -225,10 +234,13 @@ Eigen::VectorXd volume_gradient(const BasisTable& table, const SurfacePoints& s)
 Eigen::VectorXd normal_load(
   const BasisTable& table, const SurfacePoints& s, const Eigen::VectorXd& density)
 {
-  Points load = Points::Zero(table.nodes, 3);
-  for_each_entry(table,
-    [&](int q, int k)
-    { load.row(table.node[k]) += table.weight[q] * table.value[k] * density[q] * s.cross.row(q); });
+  const Points load = nodal_sum<3>(table,
+    [&](Points& sum, int q)
+    {
+      const Row3 f = table.weight[q] * density[q] * s.cross.row(q);
+      for (int k = table.start[q]; k < table.start[q + 1]; ++k)
+        sum.row(table.node[k]) += table.value[k] * f;
+    });
   return load.reshaped<Eigen::RowMajor>();
 }
 

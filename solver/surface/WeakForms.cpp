@@ -59,16 +59,23 @@ SparseMatrix mass_matrix(const BasisTable& table, const SurfacePoints& surface)
 // ∇N_j·∇N_k by an orthonormal frame at each point: two numbers an entry.
 SparseMatrix stiffness_matrix(const BasisTable& table, const SurfacePoints& s)
 {
-  const auto along = [&](int q, int k, bool second)
-  {
-    const Row3 a = s.tangent_u.row(q), b = s.tangent_v.row(q);
-    const double length = a.norm(), J = s.cross.row(q).norm();
-    return second ? (table.dv[k] * length - table.du[k] * a.dot(b) / length) / J
-                  : table.du[k] / length;
-  };
-  SparseMatrix sum = gram_matrix(table, s, [&](int q, int k) { return along(q, k, false); });
-  sum += gram_matrix(table, s, [&](int q, int k) { return along(q, k, true); });
-  return sum;
+  return element_sum(table, 1, 1,
+    [&](ElementSum& sum, int q, int first, int width)
+    {
+      const Row3 a = s.tangent_u.row(q), b = s.tangent_v.row(q);
+      const double length = a.norm(), J = s.cross.row(q).norm(), skew = a.dot(b) / length;
+      thread_local std::vector<double> along, across;
+      along.resize(width);
+      across.resize(width);
+      for (int k = 0; k < width; ++k)
+      {
+        const double du = table.du[first + k], dv = table.dv[first + k];
+        along[k] = du / length;
+        across[k] = (dv * length - du * skew) / J;
+      }
+      sum.add_outer_product(s.area_weight[q], along.data(), along.data());
+      sum.add_outer_product(s.area_weight[q], across.data(), across.data());
+    });
 }
 
 SparseMatrix bilaplacian(

@@ -43,10 +43,10 @@ Eigen::VectorXd moments(
 template<class Value>
 SparseMatrix gram_matrix(const BasisTable& table, const SurfacePoints& surface, Value value)
 {
-  std::vector<double> a;
   return element_sum(table, 1, 1,
     [&](ElementSum& sum, int q, int first, int width)
     {
+      thread_local std::vector<double> a;
       a.resize(width);
       for (int k = 0; k < width; ++k)
         a[k] = value(q, first + k);
