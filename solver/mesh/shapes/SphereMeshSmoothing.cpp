@@ -1,5 +1,6 @@
 #include "solver/mesh/shapes/SphereMeshSmoothing.h"
 
+#include "solver/ParallelFor.h"
 #include "solver/mesh/Connectivity.h"
 #include "solver/mesh/MeshIntegrals.h"
 #include "solver/mesh/MeshQuality.h"
@@ -16,6 +17,8 @@ namespace vesicle
 
 namespace
 {
+constexpr int grain = 64; // vertices
+
 enum class Smoothing
 {
   /// Weights are areas: Lloyd's step with the triangles as cells. It leaves triangles a spacing
@@ -59,8 +62,10 @@ private:
 
 void TangentialSmoothing::place()
 {
-  for (int i = 0; i < points_.rows(); ++i)
-    points_.row(i) = surface_(direction(i));
+  parallel_for(
+    points_.rows(),
+    [&](Eigen::Index i) { points_.row(i) = surface_(direction(static_cast<int>(i))); },
+    Eigen::Index(grain));
 }
 
 /// Averages over the symmetric images, which differ by rounding only: the symmetry doesn't wear
@@ -150,8 +155,9 @@ void TangentialSmoothing::move(const Points& displacement)
 {
   const double damping = 0.5; // whole steps overshoot
   Points shift(points_.rows(), 3);
-  for (int i = 0; i < points_.rows(); ++i)
-    shift.row(i) = pulled_back(i, damping * displacement.row(i));
+  parallel_for(
+    static_cast<int>(points_.rows()),
+    [&](int i) { shift.row(i) = pulled_back(i, damping * displacement.row(i)); }, grain);
   move_without_folding(shift);
 }
 
@@ -216,8 +222,10 @@ double Grading::score(const Eigen::VectorXd& wanted, const TriangleMesh& flat) c
 void smooth(SphereMesh& mesh, const SphericalParametrisation& surface, int passes)
 {
   const double much_better = 1.15;
-  SphereMesh even = smoothed(mesh, surface, Smoothing::equal_areas, passes);
-  mesh = smoothed(mesh, surface, Smoothing::centroids, passes);
+  SphereMesh even, usual;
+  run_together({ [&] { even = smoothed(mesh, surface, Smoothing::equal_areas, passes); },
+    [&] { usual = smoothed(mesh, surface, Smoothing::centroids, passes); } });
+  mesh = std::move(usual);
   if (mesh_quality(mapped(even, surface)).score() >
     much_better * mesh_quality(mapped(mesh, surface)).score())
     mesh = std::move(even);

@@ -1,5 +1,6 @@
 #include "solver/mesh/shapes/UniformMesh.h"
 
+#include "solver/ParallelFor.h"
 #include "solver/mesh/MeshQuality.h"
 #include "solver/mesh/shapes/SphereMeshSmoothing.h"
 #include "solver/mesh/shapes/SphereTriangulations.h"
@@ -25,12 +26,14 @@ struct Candidate
 void try_out(std::vector<Candidate>& candidates, const SphericalParametrisation& surface,
   int triangles, int passes)
 {
-  for (Candidate& candidate : candidates)
-  {
-    smooth(candidate.mesh, surface, passes);
-    candidate.merit = mesh_quality(mapped(candidate.mesh, surface)).score() *
-      count_merit(candidate.mesh.triangles.rows(), triangles);
-  }
+  parallel_for(candidates.size(),
+    [&](std::size_t i)
+    {
+      Candidate& candidate = candidates[i];
+      smooth(candidate.mesh, surface, passes);
+      candidate.merit = mesh_quality(mapped(candidate.mesh, surface)).score() *
+        count_merit(candidate.mesh.triangles.rows(), triangles);
+    });
   std::ranges::stable_sort(candidates, std::ranges::greater(), &Candidate::merit);
 }
 
