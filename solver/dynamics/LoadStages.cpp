@@ -11,14 +11,6 @@ namespace vesicle
 namespace
 {
 
-std::vector<LayerSurface> surfaces_of(const SystemShape& shape)
-{
-  std::vector<LayerSurface> surfaces;
-  for (const VesicleShape& v : shape.vesicles)
-    surfaces.push_back({ v.vesicle->layer.get(), v.surface->vertices, v.surface->control });
-  return surfaces;
-}
-
 // Of a vertex in its vesicle: a translation changes nothing.
 double largest_move(const std::vector<Points>& from, const std::vector<Points>& to)
 {
@@ -49,24 +41,24 @@ void LoadStages::build_stiff(const SystemShape& shape, double tau)
       preconditioners_[v].build_stiff(loads, tau);
 }
 
-// Good until the next stage.
-LayerMap LoadStages::map_of(const SystemShape& shape)
+LayerMap LoadStages::map_of(const SystemShape& shape) const
 {
   if (layer_ != LayerMethod::dense)
   {
-    const auto sum = std::make_shared<const LayerSum>(surfaces_of(shape));
+    const auto sum = std::make_shared<const LayerSum>(layer_surfaces(shape));
     const bool mixed = precision_ == LayerPrecision::mixed;
     return [sum, mixed](const std::vector<Eigen::VectorXd>& densities, Precision precision)
     { return sum->apply(densities, mixed ? precision : Precision::full); };
   }
-  const StokesOperator layer(surfaces_of(shape));
-  for (std::size_t v = 0; v < matrices_.size(); ++v)
-    layer.fill(static_cast<int>(v), matrices_[v]);
-  return [this](const std::vector<Eigen::VectorXd>& densities, Precision)
+  const StokesOperator layer(layer_surfaces(shape));
+  const auto matrices = std::make_shared<std::vector<DenseMatrix>>();
+  for (std::size_t v = 0; v < shape.vesicles.size(); ++v)
+    matrices->push_back(layer.matrix(static_cast<int>(v)));
+  return [matrices](const std::vector<Eigen::VectorXd>& densities, Precision)
   {
-    Eigen::VectorXd velocity = matrices_.front() * densities.front();
+    Eigen::VectorXd velocity = multiply(matrices->front(), densities.front());
     for (std::size_t v = 1; v < densities.size(); ++v)
-      velocity += matrices_[v] * densities[v];
+      velocity += multiply((*matrices)[v], densities[v]);
     return velocity;
   };
 }

@@ -13,7 +13,7 @@ class LoadStages final : public StageSolver
 public:
   LoadStages(const System& system, LayerMethod layer, LayerPrecision precision)
     : system_(system), layer_(layer), precision_(precision),
-      preconditioners_(system.vesicles.size()), matrices_(system.vesicles.size())
+      preconditioners_(system.vesicles.size())
   {
   }
   StageSolution solve(const SystemShape& shape, const Stage& stage, State& state) override;
@@ -26,14 +26,13 @@ private:
 
   void build(const SystemShape& shape);
   void build_stiff(const SystemShape& shape, double tau);
-  LayerMap map_of(const SystemShape& shape);
+  LayerMap map_of(const SystemShape& shape) const;
 
   const System& system_;
   LayerMethod layer_;
   LayerPrecision precision_;
   std::vector<LocalPreconditioner> preconditioners_;
   std::vector<Points> made_for_;
-  std::vector<LayerMatrix> matrices_; ///< of the last stage, where they are wanted
 };
 
 }

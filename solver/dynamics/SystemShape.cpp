@@ -81,12 +81,17 @@ SystemShape::SystemShape(const System& system, const std::vector<Points>& at)
         flat(system.flow->velocities(points[i]));
 }
 
-std::vector<Mobility> mobilities(const SystemShape& shape)
+std::vector<LayerSurface> layer_surfaces(const SystemShape& shape)
 {
   std::vector<LayerSurface> surfaces;
   for (const VesicleShape& v : shape.vesicles)
     surfaces.push_back({ v.vesicle->layer.get(), v.surface->vertices, v.surface->control });
-  const StokesOperator layer(std::move(surfaces));
+  return surfaces;
+}
+
+std::vector<Mobility> mobilities(const SystemShape& shape)
+{
+  const StokesOperator layer(layer_surfaces(shape));
   std::vector<Mobility> result;
   for (int i = 0; i < static_cast<int>(shape.vesicles.size()); ++i)
   {

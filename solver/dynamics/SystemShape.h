@@ -56,6 +56,8 @@ struct SystemShape
   }
 };
 
+/// As the single layer wants them.
+std::vector<LayerSurface> layer_surfaces(const SystemShape& shape);
 /// Velocities that the vesicles' densities make, of each.
 std::vector<Mobility> mobilities(const SystemShape& shape);
 

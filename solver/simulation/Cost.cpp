@@ -23,7 +23,7 @@ namespace
 constexpr double program_bytes = 6e7;
 constexpr double flat_bytes_a_triangle = 2.3e4, loop_bytes_a_triangle = 8.5e4;
 constexpr double dense_bytes_a_pair = 27;
-constexpr double flat_seconds_a_pair = 1.7e-8, loop_seconds_a_pair = 1.5e-7;
+constexpr double flat_seconds_a_pair = 1.7e-8, loop_seconds_a_pair = 2.5e-8;
 // Points, triangles and a dozen point arrays.
 constexpr double frame_bytes_a_triangle = 120;
 // Colours and depths, with the samples that smooth edges.

@@ -1,6 +1,6 @@
 #include "solver/stokes/LayerSum.h"
 
-#include "solver/ParallelFor.h"
+#include "solver/surface/Collocation.h"
 
 namespace vesicle
 {
@@ -26,24 +26,11 @@ LayerSum::LayerSum(const std::vector<LayerSurface>& surfaces)
 Eigen::VectorXd LayerSum::apply(
   const std::vector<Eigen::VectorXd>& densities, Precision precision) const
 {
-  constexpr int grain = 256; // rows, some ten thousand operations
   RowVectors forces(points_, 3);
   for (std::size_t s = 0; s < sources_.size(); ++s)
-  {
-    const Source& source = sources_[s];
-    const BasisTable& table = *source.table;
-    const double* f = densities[s].data();
-    parallel_for(
-      table.rows(),
-      [&](int q)
-      {
-        Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-        for (int k = table.start[q]; k < table.start[q + 1]; ++k)
-          sum += table.value[k] * Eigen::Map<const Eigen::RowVector3d>(f + 3L * table.node[k]);
-        forces.row(source.first_point + q) = source.weight[q] * sum;
-      },
-      grain);
-  }
+    forces.middleRows(sources_[s].first_point, sources_[s].weight.size()) =
+      sources_[s].weight.asDiagonal() *
+      interpolate(*sources_[s].table, rows_of_three(densities[s]));
   Points velocity = Points::Zero(vertices_, 3);
   sum_->add(forces, precision, velocity);
   for (std::size_t s = 0; s < sources_.size(); ++s)

@@ -40,15 +40,15 @@ std::array<double, 3 * lanes> positions(const Lanes& group, const Points& vertic
 }
 
 /// `set` in the lanes of the bits, `clear` in the others.
-LaneMask mask_of(unsigned bits, double set, double clear = 0)
+constexpr LaneMask mask_of(unsigned bits, double set, double clear = 0)
 {
-  LaneMask mask;
+  LaneMask mask{};
   for (int lane = 0; lane < lanes; ++lane)
     mask[lane] = bits >> lane & 1U ? set : clear;
   return mask;
 }
 
-const LaneMask all_lanes = mask_of(0, 0, 1);
+constexpr LaneMask all_lanes = mask_of(0, 0, 1);
 constexpr unsigned all_bits = (1U << lanes) - 1;
 
 /// Of the elements next to a target the near rule's rows, of those that touch it its Duffy rows;
@@ -134,51 +134,32 @@ RuleSources<StokesletSources> StokesOperator::node_sources(int source) const
 }
 
 // For every group of targets on any surface: sums over the source's rows, 6 numbers a node and lane,
-// in room(number of the group), then write(first vertex of the surface, group, number, sums).
-template<class Room, class Write>
-void StokesOperator::for_each_group(int source, Room room, Write write) const
+// then write(first vertex of the surface, group, sums).
+template<class Write>
+void StokesOperator::for_each_group(int source, Write write) const
 {
   const LayerRules& rules = *surfaces_[source].rules;
   const RuleSources<StokesletSources> sources = node_sources(source);
   std::vector<int> place(rules.vertices()); // of each node, its own
   std::iota(place.begin(), place.end(), 0);
-  int first_group = 0;
   for (int s = 0; s < static_cast<int>(surfaces_.size()); ++s)
-  {
     parallel_for(static_cast<int>(surfaces_[s].rules->groups().size()),
       [&](int number)
       {
         const Lanes& group = surfaces_[s].rules->groups()[number];
         const auto position = positions(group, surfaces_[s].vertices);
-        double* sum = room(first_group + number);
-        std::fill_n(sum, static_cast<long>(rules.vertices()) * stride, 0.);
+        thread_local std::vector<double> sum;
+        sum.assign(static_cast<std::size_t>(rules.vertices()) * stride, 0);
         const auto add = [&](const StokesletSources& rows, int begin, int end, const LaneMask& mask)
-        { add_stokeslets(rows, begin, end, position.data(), mask.data(), place.data(), sum); };
+        {
+          add_stokeslets(rows, begin, end, position.data(), mask.data(), place.data(), sum.data());
+        };
         if (s == source)
           add_own_rows(group, rules, sources, add);
         else
           add(sources.regular, 0, rules.regular().start.back(), all_lanes);
-        write(first_[s], group, first_group + number, sum);
+        write(first_[s], group, sum.data());
       });
-    first_group += static_cast<int>(surfaces_[s].rules->groups().size());
-  }
-}
-
-void StokesOperator::fill(int source, LayerMatrix& matrix) const
-{
-  int groups = 0;
-  for (const LayerSurface& surface : surfaces_)
-    groups += static_cast<int>(surface.rules->groups().size());
-  matrix.resize(groups, surfaces_[source].rules->vertices(), vertices());
-  for_each_group(
-    source, [&](int number) { return matrix.group(number); },
-    [&](int first, const Lanes& group, int number, const double*)
-    {
-      int* targets = matrix.targets(number);
-      for (int lane = 0; lane < lanes; ++lane)
-        targets[lane] =
-          lane < static_cast<int>(group.target.size()) ? first + group.target[lane] : -1;
-    });
 }
 
 DenseMatrix StokesOperator::columns(int source, const NodalDensities& densities) const
@@ -188,15 +169,8 @@ DenseMatrix StokesOperator::columns(int source, const NodalDensities& densities)
   const int n = rules.vertices();
   const long m = F.cols();
   DenseMatrix matrix(3L * vertices(), m);
-  for_each_group(
-    source,
-    [&](int)
-    {
-      thread_local std::vector<double> sum;
-      sum.resize(static_cast<std::size_t>(n) * stride);
-      return sum.data();
-    },
-    [&](int first, const Lanes& group, int, const double* sum)
+  for_each_group(source,
+    [&](int first, const Lanes& group, const double* sum)
     {
       thread_local std::vector<double> column; // of each density: x, y, z of all lanes
       column.assign(static_cast<std::size_t>(m) * 3 * lanes, 0);

@@ -5,7 +5,6 @@
 
 #include "solver/stokes/ForceDensity.h"
 #include "solver/stokes/LayerCorrections.h"
-#include "solver/stokes/LayerMatrix.h"
 #include "solver/stokes/LayerRules.h"
 
 #include <span>
@@ -40,6 +39,7 @@ struct LayerPoints
   LayerPoints(const BasisTable& table, const Points& control);
 };
 
+struct StokesletSources;
 template<class Sources>
 struct RuleSources;
 
@@ -63,8 +63,6 @@ public:
   DenseMatrix columns(int source, const NodalDensities& densities) const;
   /// Of all vectors at its nodes, f = Σ N_k f_k: 3N by 3N.
   DenseMatrix matrix(int source) const;
-  /// The same, to be applied; the memory of `matrix` is used again.
-  void fill(int source, LayerMatrix& matrix) const;
 
   /// What a source's near and singular rules add to its regular one, at its own vertices.
   LayerCorrections corrections(int source) const;
@@ -74,8 +72,8 @@ public:
 
 private:
   RuleSources<StokesletSources> node_sources(int source) const;
-  template<class Room, class Write>
-  void for_each_group(int source, Room room, Write write) const;
+  template<class Write>
+  void for_each_group(int source, Write write) const;
 
   struct Rules
   {

@@ -22,15 +22,6 @@ void for_each_row(int rows, Visit visit)
   parallel_for(rows, visit, grain);
 }
 
-// Calls visit(row, entry) for every entry of the table, one after the other.
-template<class Visit>
-void for_each_entry(const BasisTable& table, Visit visit)
-{
-  for (int q = 0; q < table.rows(); ++q)
-    for (int k = table.start[q]; k < table.start[q + 1]; ++k)
-      visit(q, k);
-}
-
 // The area's centroid: volumes are computed from there, so that a vesicle far from the origin loses
 // no digits, and, where the quadrature leaves a trace of ∮ n dS, the numbering has no say.
 Row3 reference_point(const SurfacePoints& s)
@@ -250,12 +241,10 @@ Eigen::Matrix<double, 3, Eigen::Dynamic> centroid_velocity_matrix(
   const Row3 center = centroid(table, s).transpose();
   Eigen::Matrix<double, 3, Eigen::Dynamic> W =
     Eigen::Matrix<double, 3, Eigen::Dynamic>::Zero(3, 3 * table.nodes);
-  for_each_entry(table,
-    [&](int q, int k)
-    {
+  for (int q = 0; q < table.rows(); ++q)
+    for (int k = table.start[q]; k < table.start[q + 1]; ++k)
       W.block<3, 3>(0, 3 * table.node[k]) += table.weight[q] * table.value[k] *
         (s.position.row(q) - center).transpose() * s.cross.row(q);
-    });
   return W / volume(table, s);
 }
 

@@ -47,10 +47,7 @@ struct Solved
     const State& guess = {})
     : shape(system, points)
   {
-    std::vector<LayerSurface> surfaces;
-    for (const VesicleShape& v : shape.vesicles)
-      surfaces.push_back({ v.vesicle->layer.get(), v.surface->vertices, v.surface->control });
-    const LayerSum layer(surfaces);
+    const LayerSum layer(layer_surfaces(shape));
     std::vector<LocalPreconditioner> preconditioners(shape.vesicles.size());
     for (std::size_t v = 0; v < shape.vesicles.size(); ++v)
     {

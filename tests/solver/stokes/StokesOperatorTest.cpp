@@ -134,9 +134,8 @@ TEST(StokesOperator, ColumnsAndApplicationAreThoseOfTheWholeMatrix)
   EXPECT_LT((applied - u).norm(), 1e-13 * u.norm());
 }
 
-// Two surfaces of different size, neither a multiple of the lanes; the second's matrix takes the memory
-// of the first's.
-TEST(StokesOperator, LayerMatricesAreThoseOfTheWholeMatrix)
+// Two surfaces of different size, neither a multiple of the lanes, one loaded at a time.
+TEST(LayerSum, IsTheWholeMatrixAppliedOnFlatTriangles)
 {
   const TriangleMesh large = mapped(jittered_sphere(4, 0.2), test::paper_surface);
   TriangleMesh small = jittered_sphere(2, 0.2);
@@ -144,15 +143,19 @@ TEST(StokesOperator, LayerMatricesAreThoseOfTheWholeMatrix)
   const auto rules_of = [](const TriangleMesh& mesh)
   { return LayerRules(LinearBasis(mesh.triangles, static_cast<int>(mesh.points.rows())), {}); };
   const LayerRules of_large = rules_of(large), of_small = rules_of(small);
-  const StokesOperator layer(
-    { { &of_large, large.points, large.points }, { &of_small, small.points, small.points } });
-  LayerMatrix matrix;
+  const std::vector<LayerSurface> surfaces{ { &of_large, large.points, large.points },
+    { &of_small, small.points, small.points } };
+  const StokesOperator layer(surfaces);
+  const LayerSum sum(surfaces);
   for (int source = 0; source < 2; ++source)
   {
-    layer.fill(source, matrix);
     const DenseMatrix S = layer.matrix(source);
     const Eigen::VectorXd f = Eigen::VectorXd::LinSpaced(S.cols(), 0, 40).array().sin(), u = S * f;
-    EXPECT_LT((matrix * f - u).norm(), 1e-14 * u.norm()) << source;
+    std::vector<Eigen::VectorXd> densities{ Eigen::VectorXd::Zero(large.points.size()),
+      Eigen::VectorXd::Zero(small.points.size()) };
+    densities[source] = f;
+    EXPECT_LT((sum.apply(densities) - u).norm(), 1e-13 * u.norm()) << source;
+    EXPECT_LT((multiply(S, f) - u).norm(), 1e-14 * u.norm()) << source;
   }
 }
 
