@@ -3,6 +3,7 @@
 #include "solver/ParallelFor.h"
 #include "solver/linear/Blas.h"
 #include "solver/linear/DensePanel.h"
+#include "solver/linear/FlushDenormals.h"
 
 #include <ranges>
 
@@ -53,6 +54,7 @@ void SupernodalCholesky<Scalar>::compute(const SymmetricMatrix& A, const Elimina
 template<class Scalar>
 bool SupernodalCholesky<Scalar>::factorize(const SymmetricMatrix& A)
 {
+  const FlushDenormals flush;
   use_one_blas_thread();
   panels_.assign(plan_->panel_entries(), 0);
   pivots_.resize(plan_->size());
@@ -97,6 +99,7 @@ void SupernodalCholesky<Scalar>::solve_in_place(Columns& x) const
 template<class Scalar>
 void SupernodalCholesky<Scalar>::solve_column(Scalar* column) const
 {
+  const FlushDenormals flush;
   const std::vector<Supernode>& supernodes = plan_->supernodes();
   std::vector<Scalar> below(plan_->size());
   for (const Supernode& s : supernodes)
