@@ -4,12 +4,16 @@
 #include "solver/ParallelFor.h"
 #include "solver/dynamics/LoadStage.h"
 #include "solver/stokes/LayerSum.h"
+#include "solver/stokes/TreeSum.h"
 
 namespace vesicle
 {
 
 namespace
 {
+
+// Above, a tree is faster (docs/performance.md).
+constexpr double most_direct_pairs = 1e8;
 
 // Of a vertex in its vesicle: a translation changes nothing.
 double largest_move(const std::vector<Points>& from, const std::vector<Points>& to)
@@ -22,6 +26,16 @@ double largest_move(const std::vector<Points>& from, const std::vector<Points>& 
     largest = std::max(largest, (move.rowwise() - translation).rowwise().norm().maxCoeff());
   }
   return largest;
+}
+
+std::unique_ptr<const PointSum> far_sum(
+  const RowVectors& points, const Points& vertices, const LayerSettings& layer)
+{
+  const double pairs = static_cast<double>(points.rows()) * static_cast<double>(vertices.rows());
+  if (layer.method == LayerMethod::tree ||
+    (layer.method == LayerMethod::automatic && pairs > most_direct_pairs))
+    return std::make_unique<TreeSum>(points, vertices, layer.tree_tolerance);
+  return std::make_unique<DirectSum>(points, vertices);
 }
 
 }
@@ -43,10 +57,12 @@ void LoadStages::build_stiff(const SystemShape& shape, double tau)
 
 LayerMap LoadStages::map_of(const SystemShape& shape) const
 {
-  if (layer_ != LayerMethod::dense)
+  if (layer_.method != LayerMethod::dense)
   {
-    const auto sum = std::make_shared<const LayerSum>(layer_surfaces(shape));
-    const bool mixed = precision_ == LayerPrecision::mixed;
+    const auto sum = std::make_shared<const LayerSum>(layer_surfaces(shape),
+      [&](const RowVectors& points, const Points& vertices)
+      { return far_sum(points, vertices, layer_); });
+    const bool mixed = layer_.precision == LayerPrecision::mixed;
     return [sum, mixed](const std::vector<Eigen::VectorXd>& densities, Precision precision)
     { return sum->apply(densities, mixed ? precision : Precision::full); };
   }

@@ -11,9 +11,8 @@ namespace vesicle
 class LoadStages final : public StageSolver
 {
 public:
-  LoadStages(const System& system, LayerMethod layer, LayerPrecision precision)
-    : system_(system), layer_(layer), precision_(precision),
-      preconditioners_(system.vesicles.size())
+  LoadStages(const System& system, const LayerSettings& layer)
+    : system_(system), layer_(layer), preconditioners_(system.vesicles.size())
   {
   }
   StageSolution solve(const SystemShape& shape, const Stage& stage, State& state) override;
@@ -29,8 +28,7 @@ private:
   LayerMap map_of(const SystemShape& shape) const;
 
   const System& system_;
-  LayerMethod layer_;
-  LayerPrecision precision_;
+  LayerSettings layer_;
   std::vector<LocalPreconditioner> preconditioners_;
   std::vector<Points> made_for_;
 };

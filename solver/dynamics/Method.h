@@ -20,9 +20,10 @@ enum class Integrator
 /// How the single layer of a smooth surface is applied.
 enum class LayerMethod
 {
-  automatic, ///< the fastest: direct
+  automatic, ///< the fastest: direct, and tree where there are many pairs
   dense,     ///< by its matrix
-  direct     ///< by sums over all pairs of points and vertices
+  direct,    ///< by sums over all pairs of points and vertices
+  tree       ///< by sums over pairs of clusters of them
 };
 
 /// In what the linear solves add up far fields.
@@ -30,6 +31,13 @@ enum class LayerPrecision
 {
   mixed, ///< single precision where that doesn't change the answer
   full   ///< double throughout
+};
+
+struct LayerSettings
+{
+  LayerMethod method = LayerMethod::automatic;
+  LayerPrecision precision = LayerPrecision::mixed;
+  double tree_tolerance = 1e-7; ///< relative error of the velocity
 };
 
 }

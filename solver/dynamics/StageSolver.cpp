@@ -8,13 +8,12 @@
 namespace vesicle
 {
 
-std::unique_ptr<StageSolver> make_stage_solver(
-  const System& system, LayerMethod layer, LayerPrecision precision)
+std::unique_ptr<StageSolver> make_stage_solver(const System& system, const LayerSettings& layer)
 {
   const bool smooth = std::all_of(system.vesicles.begin(), system.vesicles.end(),
     [](const Vesicle& vesicle) { return vesicle.space->smooth(); });
   if (smooth)
-    return std::make_unique<LoadStages>(system, layer, precision);
+    return std::make_unique<LoadStages>(system, layer);
   return std::make_unique<CollocatedStages>(system);
 }
 

@@ -28,8 +28,7 @@ public:
 };
 
 /// On flat triangles densities have dense columns (StageSystem.h), on smooth surfaces loads are
-/// applied (LoadStage.h), by `layer` and in `precision`. The system must outlive the solver.
-std::unique_ptr<StageSolver> make_stage_solver(
-  const System& system, LayerMethod layer, LayerPrecision precision);
+/// applied (LoadStage.h) as `layer` says. The system must outlive the solver.
+std::unique_ptr<StageSolver> make_stage_solver(const System& system, const LayerSettings& layer);
 
 }

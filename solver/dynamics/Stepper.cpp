@@ -126,7 +126,7 @@ Stepper::Stepper(System system, const StepperSettings& settings)
   for (const Vesicle& vesicle : system_.vesicles)
     neighbours_.push_back(
       Connectivity(vesicle.space->triangles(), vesicle.space->nodes()).vertex_neighbours);
-  stages_ = make_stage_solver(system_, settings_.layer, settings_.precision);
+  stages_ = make_stage_solver(system_, settings_.layer);
 }
 
 double Stepper::implicit_fraction() const

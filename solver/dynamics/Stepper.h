@@ -14,8 +14,7 @@ namespace vesicle
 struct StepperSettings
 {
   Integrator integrator = Integrator::imex_midpoint;
-  LayerMethod layer = LayerMethod::automatic;
-  LayerPrecision precision = LayerPrecision::mixed;
+  LayerSettings layer;
   double linear_tolerance = 1e-10;
   StepLimits limits;
 };

@@ -103,6 +103,7 @@ struct Scene
     int quadrature = 3; ///< points a triangle of the regular rule: 1, 3, 6 or 12
     LayerMethod layer = LayerMethod::automatic; ///< key "operator"
     LayerPrecision precision = LayerPrecision::mixed;
+    double tree_tolerance = LayerSettings{}.tree_tolerance;
     /// Relative residual of the linear solves; on Loop's surface a ten-thousandth of time.tolerance,
     /// about: a step moves by a few hundredths of r0.
     double linear_tolerance = 1e-7;

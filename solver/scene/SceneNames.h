@@ -47,6 +47,7 @@ inline constexpr std::array layer_method_names{
   NamedChoice{ "auto", LayerMethod::automatic },
   NamedChoice{ "dense", LayerMethod::dense },
   NamedChoice{ "direct", LayerMethod::direct },
+  NamedChoice{ "tree", LayerMethod::tree },
 };
 inline constexpr std::array layer_precision_names{
   NamedChoice{ "mixed", LayerPrecision::mixed },

@@ -9,6 +9,8 @@ namespace vesicle
 namespace
 {
 
+constexpr NumberRule tree_tolerances{ [](double x) { return x >= 1e-12 && x <= 1e-3; },
+  "a number from 1e-12 to 1e-3" };
 constexpr NumberRule below_one{ [](double x) { return x > 0 && x < 1; }, "a number > 0 and < 1" };
 constexpr IntegerRule quadrature_points{
   [](int n) { return n == 1 || n == 3 || n == 6 || n == 12; }, "1, 3, 6, 12"
@@ -272,7 +274,8 @@ void apply_preset(const SceneDocument& document, Scene& scene)
 void check_adaptive(const TableReader& table, const Scene::Accuracy& accuracy)
 {
   const bool adaptive = accuracy.mesh_motion == Scene::MeshMotion::adaptive;
-  if (accuracy.layer == LayerMethod::direct && accuracy.basis != Scene::Basis::loop)
+  const bool by_sums = accuracy.layer == LayerMethod::direct || accuracy.layer == LayerMethod::tree;
+  if (by_sums && accuracy.basis != Scene::Basis::loop)
     table.fail("operator", "applies the layer of Loop's surface only", "basis = \"loop\"");
   if (adaptive && accuracy.basis != Scene::Basis::loop)
     table.fail("mesh_motion", "lays meshes anew on Loop's surface only", "basis = \"loop\"");
@@ -335,12 +338,15 @@ SceneTable accuracy_table()
       "points a triangle of the regular rule; 6 with the preset \"accurate\""),
     key("operator", at(&Scene::accuracy, &Accuracy::layer), rules::Choice{ layer_method_names }, "",
       "how the single layer of Loop's surface is applied: by sums over all pairs of points and "
-      "vertices (\"direct\", which \"auto\" takes) or by its matrix; on flat triangles it is a "
-      "matrix"),
+      "vertices (\"direct\"), over pairs of clusters of them (\"tree\", which \"auto\" takes where "
+      "there are many) or by its matrix; on flat triangles it is a matrix"),
     key("precision", at(&Scene::accuracy, &Accuracy::precision),
       rules::Choice{ layer_precision_names }, "",
       "of far fields in the linear solves on Loop's surface; \"mixed\": single where that doesn't "
       "change the answer"),
+    key("tree_tolerance", at(&Scene::accuracy, &Accuracy::tree_tolerance),
+      rules::Number{ tree_tolerances }, "",
+      "relative error of the velocity that clusters leave; with \"tree\""),
     key("linear_tolerance", at(&Scene::accuracy, &Accuracy::linear_tolerance),
       rules::Number{ below_one }, "",
       "relative error of the velocity that the linear solves leave; 1e-8 with the preset "

@@ -24,6 +24,8 @@ constexpr double program_bytes = 6e7;
 constexpr double flat_bytes_a_triangle = 2.3e4, loop_bytes_a_triangle = 8.5e4;
 constexpr double dense_bytes_a_pair = 27;
 constexpr double flat_seconds_a_pair = 1.7e-8, loop_seconds_a_pair = 2.5e-8;
+// From so many triangles on, clusters act on clusters: the time grows as their number.
+constexpr double most_paired_triangles = 8e3;
 // Points, triangles and a dozen point arrays.
 constexpr double frame_bytes_a_triangle = 120;
 // Colours and depths, with the samples that smooth edges.
@@ -50,6 +52,21 @@ std::string gigabytes(double bytes)
 
 }
 
+namespace
+{
+
+double step_seconds(const Scene& scene, double triangles)
+{
+  if (scene.accuracy.basis == Scene::Basis::linear)
+    return flat_seconds_a_pair * triangles * triangles;
+  const bool clusters =
+    scene.accuracy.layer == LayerMethod::automatic || scene.accuracy.layer == LayerMethod::tree;
+  return loop_seconds_a_pair * triangles *
+    (clusters ? std::min(triangles, most_paired_triangles) : triangles);
+}
+
+}
+
 Cost cost_of(const Scene& scene, double triangles)
 {
   const bool flat = scene.accuracy.basis == Scene::Basis::linear,
@@ -63,7 +80,7 @@ Cost cost_of(const Scene& scene, double triangles)
   if (scene.time.end && scene.time.step)
     cost.steps = *scene.time.end / *scene.time.step;
   cost.steps = std::max(cost.steps, cost.frames - 1);
-  cost.seconds = cost.steps * (flat ? flat_seconds_a_pair : loop_seconds_a_pair) * pairs;
+  cost.seconds = cost.steps * step_seconds(scene, triangles);
   cost.disk = cost.frames * frame_bytes_a_triangle * triangles;
   cost.picture = bytes_a_pixel * scene.movie.size[0] * scene.movie.size[1];
   return cost;

@@ -76,8 +76,8 @@ StepperSettings stepper_settings_of(const Scene& scene)
 {
   StepperSettings settings;
   settings.integrator = scene.accuracy.integrator;
-  settings.layer = scene.accuracy.layer;
-  settings.precision = scene.accuracy.precision;
+  settings.layer = { scene.accuracy.layer, scene.accuracy.precision,
+    scene.accuracy.tree_tolerance };
   settings.linear_tolerance = scene.accuracy.linear_tolerance;
   // A step that the user has fixed is taken whatever its error is estimated at.
   settings.limits.tolerance = scene.time.step ? INFINITY : scene.time.tolerance;

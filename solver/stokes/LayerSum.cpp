@@ -5,7 +5,13 @@
 namespace vesicle
 {
 
-LayerSum::LayerSum(const std::vector<LayerSurface>& surfaces)
+std::unique_ptr<const PointSum> LayerSum::direct_sum(
+  const RowVectors& points, const Points& vertices)
+{
+  return std::make_unique<DirectSum>(points, vertices);
+}
+
+LayerSum::LayerSum(const std::vector<LayerSurface>& surfaces, const MakePointSum& make_sum)
 {
   const StokesOperator layer(surfaces);
   for (int s = 0; s < static_cast<int>(surfaces.size()); ++s)
@@ -20,7 +26,7 @@ LayerSum::LayerSum(const std::vector<LayerSurface>& surfaces)
   for (int s = 0; s < static_cast<int>(surfaces.size()); ++s)
     positions.middleRows(sources_[s].first_point, sources_[s].weight.size()) =
       layer.regular_points(s).surface.position;
-  sum_ = std::make_unique<DirectSum>(positions, layer.targets());
+  sum_ = make_sum(positions, layer.targets());
 }
 
 Eigen::VectorXd LayerSum::apply(

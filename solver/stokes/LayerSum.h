@@ -6,6 +6,7 @@
 #include "solver/stokes/PointSum.h"
 #include "solver/stokes/StokesOperator.h"
 
+#include <functional>
 #include <memory>
 
 namespace vesicle
@@ -15,7 +16,14 @@ namespace vesicle
 class LayerSum
 {
 public:
-  explicit LayerSum(const std::vector<LayerSurface>& surfaces);
+  /// `make_sum`: what adds up all pairs of points and vertices.
+  using MakePointSum = std::function<std::unique_ptr<const PointSum>(
+    const RowVectors& points, const Points& vertices)>;
+  explicit LayerSum(
+    const std::vector<LayerSurface>& surfaces, const MakePointSum& make_sum = direct_sum);
+
+  static std::unique_ptr<const PointSum> direct_sum(
+    const RowVectors& points, const Points& vertices);
 
   /// Velocities at all vertices, 3N, of f = Σ N_k f_k: 3 numbers a node of each surface. Threads share
   /// points and vertices; results do not depend on their number.

@@ -83,6 +83,7 @@ void expect_same(const Scene& a, const Scene& b)
   EXPECT_EQ(a.accuracy.quadrature, b.accuracy.quadrature);
   EXPECT_EQ(a.accuracy.layer, b.accuracy.layer);
   EXPECT_EQ(a.accuracy.precision, b.accuracy.precision);
+  EXPECT_EQ(a.accuracy.tree_tolerance, b.accuracy.tree_tolerance);
   EXPECT_EQ(a.accuracy.linear_tolerance, b.accuracy.linear_tolerance);
 
   EXPECT_EQ(a.movie.color, b.movie.color);
@@ -235,6 +236,7 @@ TEST(SceneRoundTrip, EverySetting)
     quadrature = 12
     operator = "dense"
     precision = "double"
+    tree_tolerance = 1e-6
     linear_tolerance = 1e-8
     [movie]
     color = "Tension"

@@ -3,6 +3,7 @@
 
 #include "solver/stokes/LayerModes.h"
 #include "solver/stokes/LayerSum.h"
+#include "solver/stokes/TreeSum.h"
 #include "solver/surface/LoopBasis.h"
 #include "solver/surface/Surface.h"
 #include "tests/solver/support/TestMeshes.h"
@@ -189,6 +190,10 @@ TEST(LayerSum, IsTheWholeMatrixApplied)
     EXPECT_LT(
       (sum.apply(densities, Precision::single) - u).norm(), single_precision_error * u.norm())
       << points;
+    const LayerSum by_tree(surfaces,
+      [](const RowVectors& from, const Points& to)
+      { return std::make_unique<TreeSum>(from, to, 1e-7); });
+    EXPECT_LT((by_tree.apply(densities) - u).norm(), 1e-7 * u.norm()) << points;
   }
 }
 

@@ -1,0 +1,35 @@
+#pragma once
+// Targets as the kernel takes them (kernels/StokesletKernel.h): in blocks of sum_lanes, x of all, y, z.
+
+#include "solver/stokes/kernels/StokesletKernel.h"
+#include "solver/surface/SurfaceIntegrals.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace vesicle
+{
+
+inline constexpr int block_size = 3 * sum_lanes; ///< numbers
+/// So many blocks see the same sources while these are in the cache.
+inline constexpr int most_blocks_a_task = 4;
+
+/// Where component c of row i is.
+inline int place_in_blocks(int i, int c)
+{
+  return i / sum_lanes * block_size + c * sum_lanes + i % sum_lanes;
+}
+
+/// The last row fills up the last block.
+template<class Real>
+std::vector<Real> in_blocks(const RowVectors& rows)
+{
+  const int n = static_cast<int>(rows.rows()), all = (n + sum_lanes - 1) / sum_lanes * sum_lanes;
+  std::vector<Real> blocks(3 * all);
+  for (int i = 0; i < all; ++i)
+    for (int c = 0; c < 3; ++c)
+      blocks[place_in_blocks(i, c)] = static_cast<Real>(rows(std::min(i, n - 1), c));
+  return blocks;
+}
+
+}

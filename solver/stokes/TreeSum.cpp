@@ -1,0 +1,86 @@
+#include "solver/stokes/TreeSum.h"
+
+#include "solver/ParallelFor.h"
+#include "solver/stokes/ClusterPairs.h"
+#include "solver/stokes/TargetBlocks.h"
+
+namespace vesicle
+{
+
+template<class Real>
+TreeSum::Tree<Real>::Tree(const RowVectors& from, const Points& to, double tolerance)
+{
+  // Around the targets' mean, where single precision has the most digits.
+  const Eigen::RowVector3d origin = to.colwise().mean();
+  const RowVectors sources_at = from.rowwise() - origin, targets_at = to.rowwise() - origin;
+  ClusterTree source_tree(sources_at, tolerance, sum_lanes),
+    target_tree(targets_at, tolerance, sum_lanes);
+  const std::vector<std::vector<int>> pairs = acting_clusters(target_tree, source_tree);
+  std::vector<bool> acts(source_tree.clusters.size()), acted_on(target_tree.clusters.size());
+  for (std::size_t t = 0; t < pairs.size(); ++t)
+    for (const int s : pairs[t])
+      acts[s] = acted_on[t] = true;
+  sources = std::make_unique<ProxyTree<Real>>(std::move(source_tree), sources_at, acts, sum_lanes);
+  targets =
+    std::make_unique<ProxyTree<Real>>(std::move(target_tree), targets_at, acted_on, sum_lanes);
+  source_positions = sources->positions().array().template cast<Real>();
+  target_positions = in_blocks<Real>(targets->positions());
+
+  for (std::size_t t = 0; t < pairs.size(); ++t)
+  {
+    if (pairs[t].empty())
+      continue;
+    std::vector<RowRange> of_target;
+    for (const int s : pairs[t])
+      of_target.push_back(sources->rows(s));
+    const RowRange rows = targets->rows(static_cast<int>(t));
+    const int first = rows.first / sum_lanes, blocks = (rows.count + sum_lanes - 1) / sum_lanes;
+    for (int b = 0; b < blocks; b += most_blocks_a_task)
+      tasks.push_back(
+        { first + b, std::min(most_blocks_a_task, blocks - b), static_cast<int>(acting.size()) });
+    acting.push_back(std::move(of_target));
+  }
+}
+
+template<class Real>
+void TreeSum::Tree<Real>::add(const RowVectors& forces, Points& velocity) const
+{
+  const ThreeColumns<Real> f = sources->up(forces);
+  ThreeColumns<Real> u = ThreeColumns<Real>::Zero(targets->positions().rows(), 3);
+  const auto& x = source_positions;
+  parallel_for(tasks.size(),
+    [&](std::size_t k)
+    {
+      const Task& task = tasks[k];
+      std::array<Real, most_blocks_a_task * block_size> sum{};
+      for (const RowRange& rows : acting[task.acting])
+      {
+        const int q = rows.first;
+        for (int b = 0; b < task.blocks; ++b)
+          add_point_forces(
+            { &x(q, 0), &x(q, 1), &x(q, 2), &f(q, 0), &f(q, 1), &f(q, 2), rows.count },
+            target_positions.data() + (task.first_block + b) * block_size,
+            sum.data() + b * block_size);
+      }
+      for (int i = 0; i < task.blocks * sum_lanes; ++i)
+        for (int c = 0; c < 3; ++c)
+          u(task.first_block * sum_lanes + i, c) = sum[place_in_blocks(i, c)];
+    });
+  targets->down(std::move(u), velocity);
+}
+
+TreeSum::TreeSum(const RowVectors& sources, const Points& targets, double tolerance)
+  : full_(sources, targets, tolerance),
+    single_(sources, targets, std::max(tolerance, single_precision_error))
+{
+}
+
+void TreeSum::add(const RowVectors& forces, Precision precision, Points& velocity) const
+{
+  if (precision == Precision::full)
+    full_.add(forces, velocity);
+  else
+    single_.add(forces, velocity);
+}
+
+}
