@@ -7,7 +7,7 @@
 
 #include <cstring>
 #include <type_traits>
-#ifdef __AVX512F__
+#ifdef __AVX2__
 #include <immintrin.h>
 #endif
 
@@ -16,9 +16,16 @@ namespace vesicle
 namespace
 {
 
-// 64 bytes, in as many registers as that takes.
-using Doubles = double __attribute__((vector_size(64)));
-using Floats = float __attribute__((vector_size(64)));
+// One register: gcc handles wider vectors badly.
+#if defined(__AVX512F__)
+constexpr int bytes = 64;
+#elif defined(__AVX2__)
+constexpr int bytes = 32;
+#else
+constexpr int bytes = 16;
+#endif
+using Doubles = double __attribute__((vector_size(bytes)));
+using Floats = float __attribute__((vector_size(bytes)));
 template<class Real>
 using Wide = std::conditional_t<sizeof(Real) == sizeof(double), Doubles, Floats>;
 
@@ -32,7 +39,7 @@ VESICLE_INLINE void improve(Vector& y, const Vector& s)
 }
 
 // 1/√s to rounding, of positive numbers. Square roots and divisions are slower.
-#ifdef __AVX512F__
+#if defined(__AVX512F__)
 VESICLE_INLINE void inverse_root(Doubles& y, const Doubles& s)
 {
   y = (Doubles)_mm512_maskz_rsqrt14_pd(0xff, (__m512d)s);
@@ -43,11 +50,24 @@ VESICLE_INLINE void inverse_root(Floats& y, const Floats& s)
   y = (Floats)_mm512_maskz_rsqrt14_ps(0xffff, (__m512)s);
   y += 0.5f * y * (1 - s * y * y);
 }
+#elif defined(__AVX2__)
+// The processor's estimate is 4e-4 off; there is none of doubles beyond the range of floats, 1e±38.
+VESICLE_INLINE void inverse_root(Doubles& y, const Doubles& s)
+{
+  y = (Doubles)_mm256_cvtps_pd(_mm_rsqrt_ps(_mm256_cvtpd_ps((__m256d)s)));
+  improve<double>(y, s);
+  y += 0.5 * y * (1 - s * y * y);
+}
+VESICLE_INLINE void inverse_root(Floats& y, const Floats& s)
+{
+  y = (Floats)_mm256_rsqrt_ps((__m256)s);
+  y += 0.5f * y * (1 - s * y * y);
+}
 #else
 // The seed by the exponent is 3% off, once improved 7e-6.
 VESICLE_INLINE void inverse_root(Doubles& y, const Doubles& s)
 {
-  long long __attribute__((vector_size(64))) bits;
+  long long __attribute__((vector_size(bytes))) bits;
   std::memcpy(&bits, &s, sizeof bits);
   bits = 0x5fe6eb50c7b537a9LL - (bits >> 1);
   std::memcpy(&y, &bits, sizeof y);
@@ -56,7 +76,7 @@ VESICLE_INLINE void inverse_root(Doubles& y, const Doubles& s)
 }
 VESICLE_INLINE void inverse_root(Floats& y, const Floats& s)
 {
-  int __attribute__((vector_size(64))) bits;
+  int __attribute__((vector_size(bytes))) bits;
   std::memcpy(&bits, &s, sizeof bits);
   bits = 0x5f375a86 - (bits >> 1);
   std::memcpy(&y, &bits, sizeof y);
@@ -65,16 +85,18 @@ VESICLE_INLINE void inverse_root(Floats& y, const Floats& s)
 }
 #endif
 
-using Lanes = Doubles; // stokeslet_lanes of them
+// stokeslet_lanes of numbers are taken in parts of `lanes`: what begins at the part's first lane.
+using Lanes = Doubles;
+constexpr int lanes = bytes / sizeof(double);
 
 struct Targets
 {
   Lanes x, y, z, mask;
 };
 
-VESICLE_INLINE void load(Lanes& lanes, const double* from)
+VESICLE_INLINE void load(Lanes& to, const double* from)
 {
-  std::memcpy(&lanes, from, sizeof lanes);
+  std::memcpy(&to, from, sizeof to);
 }
 
 VESICLE_INLINE void load(Targets& t, const double* targets, const double* mask)
@@ -128,8 +150,8 @@ VESICLE_INLINE int group_end(const StokesletSources& s, int q, int end)
   return last;
 }
 
-void add_stokeslets(const StokesletSources& s, int begin, int end, const double* targets,
-  const double* mask, const int* place, double* sum)
+VESICLE_INLINE void add_part_of_stokeslets(const StokesletSources& s, int begin, int end,
+  const double* targets, const double* mask, const int* place, double* sum)
 {
   Targets t;
   load(t, targets, mask);
@@ -166,7 +188,8 @@ void add_stokeslets(const StokesletSources& s, int begin, int end, const double*
   }
 }
 
-void multiply_stokeslets(const double* sum, int nodes, const double* vectors, double* velocities)
+VESICLE_INLINE void multiply_part_of_stokeslets(
+  const double* sum, int nodes, const double* vectors, double* velocities)
 {
   Lanes x{}, y{}, z{};
   for (int k = 0; k < nodes; ++k, sum += stokeslet_components * stokeslet_lanes, vectors += 3)
@@ -183,7 +206,7 @@ void multiply_stokeslets(const double* sum, int nodes, const double* vectors, do
   std::memcpy(velocities + 2 * stokeslet_lanes, &z, sizeof z);
 }
 
-void add_velocities(
+VESICLE_INLINE void add_part_of_velocities(
   const ForceSources& s, int begin, int end, const double* targets, const double* mask, double* sum)
 {
   Targets t;
@@ -207,17 +230,37 @@ void add_velocities(
     std::memcpy(sum + c * stokeslet_lanes, &total[c], sizeof total[c]);
 }
 
-// Vectors of targets side by side, so that one's arithmetic fills the other's waits.
-template<class Real>
-VESICLE_INLINE void add_forces(const PointForces<Real>& s, const Real* targets, Real* velocities)
+void add_stokeslets(const StokesletSources& s, int begin, int end, const double* targets,
+  const double* mask, const int* place, double* sum)
 {
-  constexpr int width = 64 / sizeof(Real), vectors = sum_lanes / width;
+  for (int i = 0; i < stokeslet_lanes; i += lanes)
+    add_part_of_stokeslets(s, begin, end, targets + i, mask + i, place, sum + i);
+}
+
+void multiply_stokeslets(const double* sum, int nodes, const double* vectors, double* velocities)
+{
+  for (int i = 0; i < stokeslet_lanes; i += lanes)
+    multiply_part_of_stokeslets(sum + i, nodes, vectors, velocities + i);
+}
+
+void add_velocities(
+  const ForceSources& s, int begin, int end, const double* targets, const double* mask, double* sum)
+{
+  for (int i = 0; i < stokeslet_lanes; i += lanes)
+    add_part_of_velocities(s, begin, end, targets + i, mask + i, sum + i);
+}
+
+// Two vectors of targets side by side, so that one's arithmetic fills the other's waits.
+template<class Real>
+VESICLE_INLINE void add_forces_at(const PointForces<Real>& s, const Real* targets, Real* velocities)
+{
+  constexpr int width = bytes / sizeof(Real), vectors = width < sum_lanes ? 2 : 1;
   Wide<Real> x[vectors][3], u[vectors][3];
   for (int v = 0; v < vectors; ++v)
     for (int c = 0; c < 3; ++c)
     {
-      std::memcpy(&x[v][c], targets + c * sum_lanes + v * width, 64);
-      std::memcpy(&u[v][c], velocities + c * sum_lanes + v * width, 64);
+      std::memcpy(&x[v][c], targets + c * sum_lanes + v * width, bytes);
+      std::memcpy(&u[v][c], velocities + c * sum_lanes + v * width, bytes);
     }
   for (int q = 0; q < s.count; ++q)
     for (int v = 0; v < vectors; ++v)
@@ -232,7 +275,15 @@ VESICLE_INLINE void add_forces(const PointForces<Real>& s, const Real* targets, 
     }
   for (int v = 0; v < vectors; ++v)
     for (int c = 0; c < 3; ++c)
-      std::memcpy(velocities + c * sum_lanes + v * width, &u[v][c], 64);
+      std::memcpy(velocities + c * sum_lanes + v * width, &u[v][c], bytes);
+}
+
+template<class Real>
+VESICLE_INLINE void add_forces(const PointForces<Real>& s, const Real* targets, Real* velocities)
+{
+  constexpr int width = bytes / sizeof(Real), at_once = width < sum_lanes ? 2 * width : width;
+  for (int i = 0; i < sum_lanes; i += at_once)
+    add_forces_at(s, targets + i, velocities + i);
 }
 
 void add_forces_double(const PointForces<double>& s, const double* targets, double* velocities)
