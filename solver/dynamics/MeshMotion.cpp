@@ -1,6 +1,5 @@
 #include "solver/dynamics/MeshMotion.h"
 
-#include "solver/dynamics/TangentialMotion.h"
 #include "solver/mesh/SizingLaw.h"
 
 #include <algorithm>
@@ -67,17 +66,24 @@ Points equidistributing_velocity(const Surface& surface, const AdjacencyList& ne
     relaxation(surface, neighbours, velocity, scene_rate);
 }
 
-Points sliding_velocity(const VesicleLoads& loads, const AdjacencyList& neighbours,
-  const Points& velocity, double scene_rate, double tau, const Points& reference)
+TangentialMotion sliding_motion(const VesicleLoads& loads, double tau)
 {
   // The mobility of a force on an edge's length of membrane, in edges: 1/(4k) at the shortest wave
   // k = π/h is h/13; a multiple moves the mesh as far as the steps allow.
   constexpr double mobility_in_edges = 0.125;
   const Surface& surface = loads.surface();
+  const double edge = std::sqrt(surface.area / static_cast<double>(surface.vertices.rows()));
+  return { loads, tau, mobility_in_edges * edge };
+}
+
+Points sliding_velocity(const VesicleLoads& loads, const TangentialMotion& sliding,
+  const AdjacencyList& neighbours, const Points& velocity, double scene_rate,
+  const Points& reference)
+{
+  const Surface& surface = loads.surface();
   const NodeMotion& motion = loads.motion();
   const Eigen::VectorXd parameters = motion.parameters(flat(velocity));
-  const double released = -loads.gradient().dot(motion.velocity(parameters)),
-               edge = std::sqrt(surface.area / static_cast<double>(surface.vertices.rows()));
+  const double released = -loads.gradient().dot(motion.velocity(parameters));
   const Points along_normals = normal_motion(surface, motion, velocity, parameters);
   // The normal motion counts once: as often as the mesh's own it would have the mesh run ahead of a
   // change of shape that hasn't come.
@@ -89,9 +95,7 @@ Points sliding_velocity(const VesicleLoads& loads, const AdjacencyList& neighbou
     otherwise -= before + mesh_implicitness * (reference - before);
   }
   const Points wanted = relaxation(surface, neighbours, velocity, scene_rate);
-  return along_normals +
-    rows_of_three(tangential_motion(
-      loads, flat(wanted), flat(otherwise), released, tau, mobility_in_edges * edge));
+  return along_normals + rows_of_three(sliding.velocities(flat(wanted), flat(otherwise), released));
 }
 
 }

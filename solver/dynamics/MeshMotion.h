@@ -4,6 +4,7 @@
 
 #include "solver/mesh/Connectivity.h"
 #include "solver/mesh/TriangleMesh.h"
+#include "solver/dynamics/TangentialMotion.h"
 #include "solver/dynamics/VesicleLoads.h"
 
 namespace vesicle
@@ -15,11 +16,14 @@ namespace vesicle
 Points equidistributing_velocity(const Surface& surface, const AdjacencyList& neighbours,
   const Points& velocity, double scene_rate);
 
+/// The motion along a smooth surface, implicit over τ. `loads`: of nodes that move along the normals.
+TangentialMotion sliding_motion(const VesicleLoads& loads, double tau);
 /// The same on a smooth surface, where the motion along the surface costs no energy, area or volume,
-/// and goes down the energy that the mesh itself has, implicitly over τ (TangentialMotion.h).
-/// `loads`: of nodes that move along the normals. `reference`: node velocities, or without rows.
-Points sliding_velocity(const VesicleLoads& loads, const AdjacencyList& neighbours,
-  const Points& velocity, double scene_rate, double tau, const Points& reference);
+/// and goes down the energy that the mesh itself has. `loads`: of nodes that move along the normals;
+/// `sliding`: theirs. `reference`: node velocities, or without rows.
+Points sliding_velocity(const VesicleLoads& loads, const TangentialMotion& sliding,
+  const AdjacencyList& neighbours, const Points& velocity, double scene_rate,
+  const Points& reference);
 
 /// κ of the above; a step dt with κ dt > 1/2 would overshoot.
 double relaxation_rate(const Surface& surface, const Points& velocity, double scene_rate);

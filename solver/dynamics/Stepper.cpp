@@ -1,6 +1,7 @@
 #include "solver/dynamics/Stepper.h"
 
 #include "solver/Errors.h"
+#include "solver/ParallelFor.h"
 #include "solver/dynamics/Projection.h"
 
 #include <algorithm>
@@ -171,8 +172,21 @@ Stepper::Solved Stepper::solve_stage(
 {
   const auto there = shape(points);
   const double tau = implicit_fraction() * dt;
-  return { there, stages_->solve(*there, { dt, tau, reference, settings_.linear_tolerance }, state),
-    tau };
+  Solved solved{ there, {}, {} };
+  solved.sliding.resize(there->vesicles.size());
+  run_together({ [&]
+    {
+      solved.solution =
+        stages_->solve(*there, { dt, tau, reference, settings_.linear_tolerance }, state);
+    },
+    [&]
+    {
+      for (std::size_t v = 0; v < there->vesicles.size(); ++v)
+        if (there->vesicles[v].loads && system_.vesicles[v].motion != NodeMotionKind::material)
+          solved.sliding[v] = std::make_unique<const TangentialMotion>(
+            sliding_motion(*there->vesicles[v].loads, tau));
+    } });
+  return solved;
 }
 
 // `reference`: the state whose node velocities the implicit part is measured from, or nullptr.
@@ -185,9 +199,9 @@ std::vector<Points> Stepper::node_velocities(const Solved& stage, const State* r
     const Points velocity = rows_of_three(stage.shape->part(stage.solution.velocity, v));
     if (system_.vesicles[v].motion == NodeMotionKind::material)
       result.push_back(velocity);
-    else if (shape.loads)
-      result.push_back(sliding_velocity(*shape.loads, neighbours_[v], velocity, system_.rate(),
-        stage.tau, reference ? reference->vesicles[v].node_velocity : Points(0, 3)));
+    else if (stage.sliding[v])
+      result.push_back(sliding_velocity(*shape.loads, *stage.sliding[v], neighbours_[v], velocity,
+        system_.rate(), reference ? reference->vesicles[v].node_velocity : Points(0, 3)));
     else
       result.push_back(
         equidistributing_velocity(*shape.surface, neighbours_[v], velocity, system_.rate()));

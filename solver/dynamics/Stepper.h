@@ -57,7 +57,8 @@ private:
   {
     std::shared_ptr<const SystemShape> shape;
     StageSolution solution;
-    double tau; ///< implicit time
+    /// Of vesicles with loads whose nodes slide.
+    std::vector<std::unique_ptr<const TangentialMotion>> sliding;
   };
 
   std::shared_ptr<const SystemShape> shape(const std::vector<Points>& points);

@@ -10,11 +10,11 @@
 namespace vesicle
 {
 
-namespace
-{
-
 // Two orthonormal tangents a vertex.
 using Tangents = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor>;
+
+namespace
+{
 
 Eigen::VectorXd spread(const Tangents& T, const Eigen::VectorXd& d)
 {
@@ -36,7 +36,9 @@ Eigen::VectorXd gathered(const Tangents& T, const Eigen::VectorXd& t)
   return d;
 }
 
-// The operator of the quadratic form above in the coordinates d, t = T d, and its preconditioner:
+}
+
+// The operator of the quadratic form in the coordinates d, t = T d, and its preconditioner:
 // the same with TᵀPT between vertices and control points, which is sparse, and without what changes area
 // and volume.
 class TangentialForm
@@ -156,24 +158,29 @@ private:
   Eigen::FullPivLU<Eigen::Matrix2d> amounts_;
 };
 
+TangentialMotion::TangentialMotion(const VesicleLoads& loads, double tau, double beta)
+  : form_(std::make_unique<TangentialForm>(loads, tau, beta)),
+    gradient_(form_->dual(loads.gradient()))
+{
+  form_->constrain(form_->dual(loads.area_gradient()), form_->dual(loads.volume_gradient()));
 }
 
-Eigen::VectorXd tangential_motion(const VesicleLoads& loads, const Eigen::VectorXd& wanted,
-  const Eigen::VectorXd& otherwise, double released, double tau, double beta)
+TangentialMotion::TangentialMotion(TangentialMotion&&) noexcept = default;
+TangentialMotion::~TangentialMotion() = default;
+
+Eigen::VectorXd TangentialMotion::velocities(
+  const Eigen::VectorXd& wanted, const Eigen::VectorXd& otherwise, double released) const
 {
   constexpr double largest_share = 0.5;
-  TangentialForm form(loads, tau, beta);
-  form.constrain(form.dual(loads.area_gradient()), form.dual(loads.volume_gradient()));
-  const Eigen::VectorXd g = form.dual(loads.gradient());
-  Eigen::VectorXd d =
-    form.solve(form.weighted(gathered(form.tangents(), wanted)) - form.stiffness(otherwise) - g);
-  if (const double excess = g.dot(d) - largest_share * std::max(0., released); excess > 0)
+  Eigen::VectorXd d = form_->solve(
+    form_->weighted(gathered(form_->tangents(), wanted)) - form_->stiffness(otherwise) - gradient_);
+  if (const double excess = gradient_.dot(d) - largest_share * std::max(0., released); excess > 0)
   {
-    const Eigen::VectorXd downhill = form.solve(g);
-    if (const double rate = g.dot(downhill); rate > 0)
+    const Eigen::VectorXd downhill = form_->solve(gradient_);
+    if (const double rate = gradient_.dot(downhill); rate > 0)
       d -= excess / rate * downhill;
   }
-  return spread(form.tangents(), d);
+  return spread(form_->tangents(), d);
 }
 
 }

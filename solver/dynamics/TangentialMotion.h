@@ -4,6 +4,8 @@
 
 #include "solver/dynamics/VesicleLoads.h"
 
+#include <memory>
+
 namespace vesicle
 {
 
@@ -13,14 +15,31 @@ namespace vesicle
 /// more: that motion has no accuracy to keep.
 inline constexpr double mesh_implicitness = 10;
 
+class TangentialForm;
+
 /// Tangential velocities t at the vertices, 3N, that minimise for an implicit time τ
 ///   ½ Σ_i m_i |t_i − wanted_i|²/β + (g + τ K P⁻¹otherwise)·P⁻¹t + ½ s τ P⁻¹t·K P⁻¹t
 /// with a·P⁻¹t = v·P⁻¹t = 0: where the mesh may move freely it does as wanted, where that costs
-/// energy it doesn't, and it slides down the energy's own gradient. `otherwise`: how else the
-/// vertices move, less what g is known to follow already, 3N; a translation doesn't count. What is
-/// left of an energy that rises is cut to half of `released`, the rate at which the normal motion
-/// gives energy away. β, a length over the viscosity, is the mobility of the mesh.
-Eigen::VectorXd tangential_motion(const VesicleLoads& loads, const Eigen::VectorXd& wanted,
-  const Eigen::VectorXd& otherwise, double released, double tau, double beta);
+/// energy it doesn't, and it slides down the energy's own gradient. β, a length over the viscosity, is
+/// the mobility of the mesh.
+class TangentialMotion
+{
+public:
+  /// All that depends on the shape alone. `loads`: of nodes that move along the normals; they must
+  /// outlive it. Throws NumericalError.
+  TangentialMotion(const VesicleLoads& loads, double tau, double beta);
+  TangentialMotion(TangentialMotion&&) noexcept;
+  ~TangentialMotion();
+
+  /// `otherwise`: how else the vertices move, less what g is known to follow already, 3N; a
+  /// translation doesn't count. What is left of an energy that rises is cut to half of `released`,
+  /// the rate at which the normal motion gives energy away.
+  Eigen::VectorXd velocities(
+    const Eigen::VectorXd& wanted, const Eigen::VectorXd& otherwise, double released) const;
+
+private:
+  std::unique_ptr<TangentialForm> form_;
+  Eigen::VectorXd gradient_; ///< g, of d
+};
 
 }

@@ -165,22 +165,23 @@ TEST_P(LoadStages, TheLayersMethodDoesNotMatter)
   system.vesicles.push_back(vesicle_of(mesh, GetParam()));
   const SystemShape shape(system, { mesh.points });
   const double tolerance = 1e-8;
-  const auto velocity = [&](LayerMethod method, LayerPrecision precision, double to)
+  const auto velocity = [&](const LayerSettings& layer, double to)
   {
     State state;
-    const auto stages = make_stage_solver(system, method, precision);
+    const auto stages = make_stage_solver(system, layer);
     return stages->solve(shape, { 0.03, 0.01, {}, to }, state).velocity;
   };
-  const Eigen::VectorXd exact = velocity(LayerMethod::dense, LayerPrecision::full, 1e-11);
-  const auto expect_exact = [&](LayerMethod method, LayerPrecision precision, double to)
+  const Eigen::VectorXd exact = velocity({ LayerMethod::dense, LayerPrecision::full }, 1e-11);
+  const auto expect_exact = [&](const LayerSettings& layer, double to)
   {
-    const Eigen::VectorXd u = velocity(method, precision, to);
+    const Eigen::VectorXd u = velocity(layer, to);
     EXPECT_LT((u - exact).norm(), 3 * to * exact.norm());
   };
-  expect_exact(LayerMethod::automatic, LayerPrecision::mixed, tolerance);
-  expect_exact(LayerMethod::direct, LayerPrecision::mixed, tolerance);
-  expect_exact(LayerMethod::direct, LayerPrecision::full, tolerance);
-  expect_exact(LayerMethod::direct, LayerPrecision::mixed, 1e-5);
+  expect_exact({ LayerMethod::automatic, LayerPrecision::mixed }, tolerance);
+  expect_exact({ LayerMethod::direct, LayerPrecision::mixed }, tolerance);
+  expect_exact({ LayerMethod::direct, LayerPrecision::full }, tolerance);
+  expect_exact({ LayerMethod::direct, LayerPrecision::mixed }, 1e-5);
+  expect_exact({ LayerMethod::tree, LayerPrecision::mixed, tolerance }, tolerance);
 }
 
 TEST_P(LoadStages, TwoVesiclesFarApartMoveAsAlone)

@@ -41,9 +41,10 @@ TEST_P(Sliding, IsNeutralAndNeverClimbs)
       wanted.row(i) = 10 * (w - w.dot(n) * n);
     }
     const Eigen::VectorXd still = Eigen::VectorXd::Zero(3 * wanted.rows());
+    const TangentialMotion sliding(loads, tau, 0.02);
     for (const double released : { 0., 5. })
     {
-      const Eigen::VectorXd t = tangential_motion(loads, flat(wanted), still, released, tau, 0.02);
+      const Eigen::VectorXd t = sliding.velocities(flat(wanted), still, released);
       const Eigen::VectorXd c = surface.to_control(t);
       EXPECT_LT(
         surface.normals.cwiseProduct(rows_of_three(t)).rowwise().sum().cwiseAbs().maxCoeff(),
