@@ -1,0 +1,29 @@
+#include "tests/benchmarks/Scenes.h"
+
+#include "solver/scene/SceneFile.h"
+#include "solver/simulation/StartMesh.h"
+
+namespace vesicle::benchmarks
+{
+
+Scene scene_of(const std::string& name, const std::vector<std::string>& overrides)
+{
+  return read_scene(VESICLE_SOURCE_DIR "/data/scenes/" + name + ".toml", overrides);
+}
+
+Scene endless(const std::string& name, int triangles)
+{
+  Scene scene = scene_of(name, { "vesicle.triangles=" + std::to_string(triangles) });
+  scene.time.end = 1000;
+  scene.time.output_every = 0;
+  return scene;
+}
+
+Run::Run(const Scene& scene, int steps)
+  : simulation(scene, make_start_mesh(scene)), state(simulation.start())
+{
+  for (int i = 0; i < steps; ++i)
+    step();
+}
+
+}

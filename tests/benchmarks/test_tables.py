@@ -1,0 +1,68 @@
+#!/usr/bin/env python3
+"""The tables of sample.json, whose numbers are such that the answers are plain."""
+
+import pathlib
+import sys
+import unittest
+
+folder = pathlib.Path(__file__).parent
+sys.path.insert(0, str(folder))
+
+import tables
+
+
+class Tables(unittest.TestCase):
+    def setUp(self):
+        self.measured = tables.Measured([folder / "sample.json"])
+        self.report = tables.report(self.measured)
+
+    def row(self, start):
+        """The cells of the one row that starts so."""
+        rows = [line for line in self.report.splitlines() if line.startswith(f"| {start} |")]
+        self.assertEqual(len(rows), 1, rows)
+        return [cell.strip() for cell in rows[0].strip("|").split("|")][1:]
+
+    def test_names_are_without_what_the_library_adds(self):
+        self.assertEqual(
+            tables.plain_name("Step/pear/320/threads:2/iterations:1/process_time/real_time"),
+            "Step/pear/320/threads:2")
+
+    def test_three_digits(self):
+        for x, text in [(0, "0"), (16, "16"), (12345, "12,345"), (1234.5, "1,230"), (0.0625, "0.0625"),
+                        (2.999, "3.00"), (0.004, "4.0e-3"), (2.5e12, "2.5e12")]:
+            self.assertEqual(tables.number(x), text)
+
+    def test_the_fastest_repetition_of_a_kernel_counts(self):
+        self.assertEqual(self.row("kernel, AVX-512, double"), ["80", "1", "0.800", "0.800"])
+        self.assertEqual(self.row("direct sum, single"), ["160", "2", "1.80", "0.900"])
+
+    def test_the_median_step_counts_and_the_least_memory(self):
+        # 20 applies, half of them in double precision, of 1e6 pairs at 1 and 2 a nanosecond on two
+        # cores: 7.5 ms of 20.
+        self.assertEqual(
+            self.row("320"), ["20", "30", "16", "50", "1.50", "1.50", "0.375", "", "", "", ""])
+
+    def test_growth_between_sizes(self):
+        self.assertEqual(
+            self.row("1,280"), ["80", "152", "16", "300", "1.90", "", "", "1", "", "", ""])
+
+    def test_failed_runs_and_aggregates_are_left_out(self):
+        self.assertFalse(self.measured.has("Step/pear/5120/threads:2"))
+        self.assertNotIn("999", self.report)
+
+    def test_paper_is_extrapolated_by_its_own_order(self):
+        # Of second order: √10 as many triangles, ten times the time.
+        self.assertEqual(
+            self.row("E, v = .8"),
+            ["4.0e-3", "0.500", "1.0e-3", "2", "0.0100", "10", "2", "8,100", "100", "50"])
+
+    def test_goals(self):
+        goals = self.report[self.report.index("Goals met"):]
+        self.assertIn("- step, 320 triangles: 20 ms, at most 4 ms", goals)
+        self.assertIn("- paper's time at equal error, E, v = .8: 50, at least 100", goals)
+        self.assertNotIn("processors", goals)
+        self.assertNotIn("memory, 320", goals)
+
+
+if __name__ == "__main__":
+    unittest.main()
