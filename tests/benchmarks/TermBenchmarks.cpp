@@ -27,7 +27,7 @@ const Case cases[] = {
   { "gravity",
     [](Scene& scene)
     {
-      scene.gravity.emplace();
+      scene.gravity = Scene::Gravity{};
       scene.gravity->bond_number = 10;
     } },
   { "flow", shear },

@@ -2,15 +2,19 @@
 """Markdown tables of what vesicle_benchmarks has measured.
 
     python3 tests/benchmarks/tables.py build/release/benchmarks/*.json
+    python3 tests/benchmarks/tables.py --into docs/performance.md build/release/benchmarks/*.json
 
-Google Benchmark's JSON in, tables out. What is given in part gives tables in part.
+Google Benchmark's JSON in, tables out, or into a page between two marks. What is given in part
+gives tables in part.
 """
 
 import json
 import math
+import pathlib
 import statistics
 import sys
 
+MARKS = "<!-- measured -->\n", "<!-- end of what was measured -->\n"
 SIZES = [320, 1280, 5120, 20480, 81920]
 THREADS = 2
 SETS = ["AVX-512", "AVX2"]  # the widest first
@@ -101,6 +105,10 @@ def number(x):
     return f"{round(x, digits):,.{max(0, digits)}f}"
 
 
+def given(x):
+    return "" if x is None else number(x)
+
+
 def table(header, rows):
     lines = ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
     return lines + ["| " + " | ".join(row) + " |" for row in rows]
@@ -177,35 +185,41 @@ def lower_bound(measured, size):
 def step_table(measured, goals):
     rows, before = [], None
     for size in sizes_with(measured, lambda size: step("pear", size)):
-        pear, alone = step("pear", size), step("pear", size, 1)
-        wall, memory = measured.wall(pear), measured.least(pear, "memory") / 1e6
-        processors = measured.cpu(pear) / wall
-        bound = lower_bound(measured, size)
-        rows.append([
-            f"{size:,}", number(wall), number(measured.cpu(pear)),
-            number(measured.median(pear, "gmres")), number(memory), number(processors),
-            number(measured.wall(alone) / wall) if measured.has(alone) else "",
-            number(bound / wall) if bound else "",
-            number(math.log(wall / before[1]) / math.log(size / before[0])) if before else "",
-            *others(measured, size)])
+        wall = measured.wall(step("pear", size))
+        exponent = math.log(wall / before[1]) / math.log(size / before[0]) if before else None
         before = size, wall
+        row = [f"{size:,}", number(wall), given(STEP_GOALS.get(size)), given(exponent),
+               number(measured.median(step("pear", size), "gmres"))]
+        for scene, field in [("tank-treading", None), ("tank-treading", "gmres"), ("pear-fast", None)]:
+            name = step(scene, size)
+            there = measured.has(name)
+            row.append(given((measured.median(name, field) if field else measured.wall(name))
+                             if there else None))
+        rows.append(row)
         if size in STEP_GOALS:
             goals.at_most(f"step, {size:,} triangles", wall, STEP_GOALS[size], " ms")
-            goals.at_most(f"memory, {size:,} triangles", memory, MEMORY_GOALS[size], " MB")
-        if size >= 1280:
-            goals.at_least(f"processors, {size:,} triangles", processors, PROCESSORS_GOAL)
-    header = ["triangles", "pear, ms", "CPU ms", "iterations", "memory, MB", "processors used",
-              "one thread / two", "lower bound / step", "exponent", "tank-treading, ms",
+    header = ["triangles", "pear, ms", "goal", "exponent", "iterations", "tank-treading, ms",
               "iterations", "pear, `fast`, ms"]
     return table(header, rows) if rows else []
 
 
-def others(measured, size):
-    treading, flat = step("tank-treading", size), step("pear-fast", size)
-    treads = measured.has(treading)
-    return [number(measured.wall(treading)) if treads else "",
-            number(measured.median(treading, "gmres")) if treads else "",
-            number(measured.wall(flat)) if measured.has(flat) else ""]
+def resource_table(measured, goals):
+    rows = []
+    for size in sizes_with(measured, lambda size: step("pear", size)):
+        name, alone = step("pear", size), step("pear", size, 1)
+        wall, cpu = measured.wall(name), measured.cpu(name)
+        memory, bound = measured.least(name, "memory") / 1e6, lower_bound(measured, size)
+        rows.append([f"{size:,}", number(cpu), number(cpu / wall),
+                     given(measured.wall(alone) / wall if measured.has(alone) else None),
+                     given(bound / wall if bound else None), number(memory),
+                     given(MEMORY_GOALS.get(size))])
+        if size >= 1280:
+            goals.at_least(f"processors, {size:,} triangles", cpu / wall, PROCESSORS_GOAL)
+        if size in MEMORY_GOALS:
+            goals.at_most(f"memory, {size:,} triangles", memory, MEMORY_GOALS[size], " MB")
+    header = ["triangles", "CPU ms", "processors used", "one thread / two", "lower bound / step",
+              "memory, MB", "goal"]
+    return table(header, rows) if rows else []
 
 
 def part_table(measured):
@@ -271,11 +285,34 @@ def linear_table(measured):
 
 def report(measured):
     goals = Goals()
-    tables = [kernel_table(measured, goals), step_table(measured, goals), part_table(measured),
-              term_table(measured), paper_table(measured, goals), linear_table(measured)]
-    machine = f"{measured.context.get('processor') or 'Unknown processor'}, {measured.context['num_cpus']} processors:"
-    return "\n\n".join("\n".join(lines) for lines in [[machine], *tables, goals.lines()] if lines)
+    sections = [
+        ("Kernels", kernel_table(measured, goals)),
+        ("Steps", step_table(measured, goals)),
+        ("What a pear's step takes", resource_table(measured, goals)),
+        ("What it is made of", part_table(measured)),
+        ("Terms, 1,280 triangles", term_table(measured)),
+        ("The paper's scheme", paper_table(measured, goals)),
+        ("Factorisations", linear_table(measured)),
+        ("Goals", goals.lines()),
+    ]
+    machine = f"{measured.context.get('processor') or 'A processor'}, {measured.context['num_cpus']} cores."
+    parts = [machine] + ["\n".join([f"### {title}", "", *lines]) for title, lines in sections if lines]
+    return "\n\n".join(parts) + "\n"
+
+
+def put_into(page, text):
+    """Between the page's marks."""
+    before, rest = page.read_text(encoding="utf-8").split(MARKS[0])
+    after = rest.split(MARKS[1])[1]
+    page.write_text(f"{before}{MARKS[0]}\n{text}\n{MARKS[1]}{after}", encoding="utf-8")
+
+
+def main(arguments):
+    if arguments[0] == "--into":
+        put_into(pathlib.Path(arguments[1]), report(Measured(arguments[2:])))
+    else:
+        print(report(Measured(arguments)), end="")
 
 
 if __name__ == "__main__":
-    print(report(Measured(sys.argv[1:])))
+    main(sys.argv[1:])
