@@ -69,4 +69,14 @@ Connectivity::Connectivity(const Triangles& triangles, int points)
   vertex_neighbours = neighbours_along(edges, points);
 }
 
+std::vector<char> border_vertices(const Connectivity& connectivity)
+{
+  std::vector<char> border(connectivity.vertex_neighbours.start.size() - 1, 0);
+  for (std::size_t e = 0; e < connectivity.edges.size(); ++e)
+    if (connectivity.edge_triangles[e] != 2)
+      for (const int end : connectivity.edges[e])
+        border[end] = 1;
+  return border;
+}
+
 }

@@ -36,4 +36,7 @@ struct Connectivity
   std::vector<int> edge_triangles;
 };
 
+/// 1 at the ends of edges that don't have two triangles, 0 elsewhere.
+std::vector<char> border_vertices(const Connectivity& connectivity);
+
 }

@@ -1,15 +1,20 @@
 #include "solver/mesh/EdgeUses.h"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
 namespace vesicle
 {
 
-EdgeUses::EdgeUses(const Triangles& triangles)
+namespace
 {
-  uses_.reserve(3 * triangles.rows());
+
+/// Calls visit(use) with the three sides of each triangle; those from a point to itself are none.
+template<typename Visit>
+void for_each_side(const Triangles& triangles, Visit visit)
+{
   for (int t = 0; t < triangles.rows(); ++t)
   {
     for (int k = 0; k < 3; ++k)
@@ -17,13 +22,31 @@ EdgeUses::EdgeUses(const Triangles& triangles)
       const int from = triangles(t, k);
       const int to = triangles(t, (k + 1) % 3);
       if (from != to)
-        uses_.push_back({ std::min(from, to), std::max(from, to), t, from < to });
+        visit(EdgeUse{ std::min(from, to), std::max(from, to), t, from < to });
     }
   }
-  std::sort(uses_.begin(), uses_.end(),
-    [](const EdgeUse& l, const EdgeUse& r)
-    { return std::tie(l.a, l.b, l.triangle) < std::tie(r.a, r.b, r.triangle); });
+}
+
+}
+
+// By a through counting, in linear time; each point then has a few to be sorted by b and triangle.
+EdgeUses::EdgeUses(const Triangles& triangles)
+{
+  const int points = triangles.size() > 0 ? triangles.maxCoeff() + 1 : 0;
+  std::vector<int> place(points + 1, 0); // of the next side of each
+  for_each_side(triangles, [&](const EdgeUse& use) { ++place[use.a + 1]; });
+  std::partial_sum(place.begin(), place.end(), place.begin());
+  uses_.resize(place.back());
+  for_each_side(triangles, [&](const EdgeUse& use) { uses_[place[use.a]++] = use; });
+  for (int a = 0, first = 0; a < points; ++a)
+  {
+    std::sort(uses_.begin() + first, uses_.begin() + place[a],
+      [](const EdgeUse& l, const EdgeUse& r)
+      { return std::tie(l.b, l.triangle) < std::tie(r.b, r.triangle); });
+    first = place[a];
+  }
   const int n = static_cast<int>(uses_.size());
+  start_.reserve(n / 2 + 1);
   for (int i = 0; i < n; ++i)
     if (i == 0 || uses_[i].a != uses_[i - 1].a || uses_[i].b != uses_[i - 1].b)
       start_.push_back(i);

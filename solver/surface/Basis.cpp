@@ -79,8 +79,14 @@ void add_rule(std::vector<ParametricPoint>& points, int element, const Cell& cel
 
 std::vector<ParametricPoint> Basis::rule(std::span<const TrianglePoint> rule, int graded) const
 {
+  return this->rule(rule, graded, 0, static_cast<int>(elements().rows()));
+}
+
+std::vector<ParametricPoint> Basis::rule(
+  std::span<const TrianglePoint> rule, int graded, int first, int last) const
+{
   std::vector<ParametricPoint> points;
-  for (int e = 0; e < elements().rows(); ++e)
+  for (int e = first; e < last; ++e)
     add_rule(points, e,
       { { Eigen::Vector2d(0, 0), Eigen::Vector2d(1, 0), Eigen::Vector2d(0, 1) }, rough_corners(e) },
       rule, 1, graded);

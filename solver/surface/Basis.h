@@ -67,6 +67,9 @@ public:
   /// The triangle rule on every element, element by element; elements at extraordinary vertices,
   /// where the parametrisation isn't smooth, are halved `graded` times towards them.
   std::vector<ParametricPoint> rule(std::span<const TrianglePoint> rule, int graded) const;
+  /// On the elements first to last − 1.
+  std::vector<ParametricPoint> rule(
+    std::span<const TrianglePoint> rule, int graded, int first, int last) const;
   /// P: surface points at the mesh's vertices = P · control points. Velocities are collocated
   /// there.
   virtual SparseMatrix collocation() const = 0;

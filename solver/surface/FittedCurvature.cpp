@@ -1,21 +1,18 @@
 #include "solver/surface/FittedCurvature.h"
 
-#include "solver/ParallelFor.h"
-#include "solver/mesh/Connectivity.h"
-#include "solver/mesh/LeastSquares.h"
 #include "solver/mesh/VertexNormals.h"
+#include "solver/surface/HeightFit.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <memory>
+#include <numeric>
 
 namespace vesicle
 {
 
 namespace
 {
-
-using Row3 = Eigen::RowVector3d;
 
 // Measured choices: the header tells on what. Twice the 14 unknowns of a quartic through the vertex
 // are asked for; on a regular mesh these are three rings, of which the weights favour two.
@@ -27,272 +24,171 @@ constexpr double inner_decay = 4, border_decay = 1;
 // Beyond the first ring a neighbour must face roughly as the vertex does, or the surface is no
 // height over the tangent plane there.
 constexpr double least_normal_cosine = 0.3;
-// Terms that the neighbours don't tell apart (of columns of unit length): a lower degree then.
-constexpr double rank_threshold = 1e-6;
+// Vertices that a thread fits one after the other, and how many such blocks are done between two words
+// of progress, some hundredths of a second.
+constexpr int block_size = 256, blocks_at_once = 32;
 
-/// What a vertex is fitted to: other vertices near it along the surface.
-struct Neighbourhood
+/// What a thread keeps from a vertex to the next.
+struct Workspace
 {
-  std::vector<int> vertex;
-  Points offset;          ///< from the vertex
-  Eigen::VectorXd weight; ///< square roots of the weights: factors of the rows
-  double size = 0;        ///< σ, the root mean square distance of the nearest ones
-  double edge = 0;        ///< mean length of the edges at the vertex
-};
-
-/// z(x, y) over the plane of the frame's first two rows, by its derivatives at the vertex.
-struct HeightFit
-{
-  Eigen::Matrix3d frame;                              ///< rows: x, y, z
-  Eigen::Vector<double, 5> slope;                     ///< z_x, z_y, z_xx, z_xy, z_yy
-  Eigen::Matrix<double, 5, Eigen::Dynamic> operation; ///< neighbours' values → these derivatives
-  double residual = 0;
-};
-
-struct VertexFit
-{
-  int degree = 0;
-  Vector3 normal = Vector3::Zero();
-  double mean = 0, gauss = 0, residual = 0;
+  std::vector<unsigned> seen; ///< of each vertex: the last search that came by
+  unsigned search = 0;
   std::vector<int> neighbour;
-  Eigen::VectorXd laplacian; ///< Δ_s f = Σ laplacian_k (f(neighbour_k) − f(vertex))
+  std::vector<double> squares;
+  Patch patch;
+  HeightFit fit;
 };
 
-std::vector<char> border_vertices(const Connectivity& connectivity, int points)
+/// Of successive vertices: Δ_s f = Σ_k weight_k (f(neighbour_k) − f(vertex)), k from one start to the
+/// next.
+struct LaplacianRows
 {
-  std::vector<char> border(points, 0);
-  for (std::size_t e = 0; e < connectivity.edges.size(); ++e)
+  std::vector<int> start{ 0 };
+  std::vector<int> neighbour;
+  std::vector<double> weight;
+
+  double times(int row, const Eigen::VectorXd& f, double at_vertex) const
   {
-    if (connectivity.edge_triangles[e] != 2)
-    {
-      border[connectivity.edges[e][0]] = border[connectivity.edges[e][1]] = 1;
-    }
+    double sum = 0;
+    for (int k = start[row]; k < start[row + 1]; ++k)
+      sum += weight[k] * (f[neighbour[k]] - at_vertex);
+    return sum;
   }
-  return border;
-}
+};
 
 class Fitter
 {
 public:
-  explicit Fitter(const TriangleMesh& m)
-    : mesh_(m), connectivity_(m.triangles, static_cast<int>(m.points.rows())),
-      normal_(vertex_normals(m.points, m.triangles)),
-      border_(border_vertices(connectivity_, static_cast<int>(m.points.rows())))
+  Fitter(
+    const TriangleMesh& mesh, const Connectivity& connectivity, const std::vector<char>& border)
+    : points_(mesh.points), neighbours_(connectivity.vertex_neighbours), border_(border),
+      normal_(vertex_normals(mesh.points, mesh.triangles))
   {
   }
 
-  const std::vector<char>& border() const { return border_; }
-  VertexFit fit(int i) const;
+  /// Writes the vertex's values, but for Δ_s H, and appends the row that gives it.
+  void fit(int i, Workspace& work, FittedCurvature& result, LaplacianRows& rows) const;
 
 private:
-  std::vector<int> next_ring(
-    int i, const std::vector<int>& ring, const std::vector<int>& seen, double least_cosine) const;
-  std::vector<int> rings(int i) const;
-  Neighbourhood neighbourhood(int i) const;
+  void gather(int i, Workspace& work) const;
+  template<typename Accept>
+  void visit(int from, Workspace& work, const Accept& accept) const;
+  void describe(int i, Workspace& work) const;
+  double edge_length(int i) const;
 
-  const TriangleMesh& mesh_;
-  Connectivity connectivity_;
+  const Points& points_;
+  const AdjacencyList& neighbours_;
+  const std::vector<char>& border_;
   Points normal_;
-  std::vector<char> border_;
 };
 
-/// Neighbours of `ring` that aren't in `seen` (both ascending) and face as vertex i does.
-std::vector<int> Fitter::next_ring(
-  int i, const std::vector<int>& ring, const std::vector<int>& seen, double least_cosine) const
+/// Adds those neighbours of `from` that weren't seen and that are accepted.
+template<typename Accept>
+void Fitter::visit(int from, Workspace& work, const Accept& accept) const
 {
-  std::vector<int> reached, fresh;
-  for (int k : ring)
+  for (const int* j = neighbours_.begin(from); j != neighbours_.end(from); ++j)
   {
-    std::copy_if(connectivity_.vertex_neighbours.begin(k), connectivity_.vertex_neighbours.end(k),
-      std::back_inserter(reached),
-      [&](int j)
-      { return !normal_.row(j).isZero(0) && normal_.row(j).dot(normal_.row(i)) >= least_cosine; });
+    if (work.seen[*j] == work.search)
+      continue;
+    work.seen[*j] = work.search;
+    if (accept(*j))
+      work.neighbour.push_back(*j);
   }
-  std::sort(reached.begin(), reached.end());
-  reached.erase(std::unique(reached.begin(), reached.end()), reached.end());
-  std::set_difference(
-    reached.begin(), reached.end(), seen.begin(), seen.end(), std::back_inserter(fresh));
-  return fresh;
 }
 
-std::vector<int> Fitter::rings(int i) const
+void Fitter::gather(int i, Workspace& work) const
 {
-  std::vector<int> seen{ i }, ring{ i };
-  for (int count = 0; count < most_rings && !ring.empty() &&
-       (count < fewest_rings || static_cast<int>(seen.size()) <= wanted_neighbours);
-       ++count)
+  if (++work.search == 0 || work.seen.size() != border_.size())
   {
-    ring = next_ring(i, ring, seen, count == 0 ? -1 : least_normal_cosine);
-    std::vector<int> merged;
-    std::merge(seen.begin(), seen.end(), ring.begin(), ring.end(), std::back_inserter(merged));
-    seen = std::move(merged);
+    work.seen.assign(border_.size(), 0);
+    work.search = 1;
   }
-  seen.erase(std::find(seen.begin(), seen.end(), i));
-  return seen;
+  work.seen[i] = work.search;
+  std::vector<int>& found = work.neighbour;
+  found.clear();
+  visit(i, work, [&](int j) { return !normal_.row(j).isZero(0); });
+  const Vector3 normal = normal_.row(i);
+  const auto faces_likewise = [&](int j)
+  { return normal_.row(j).dot(normal) >= least_normal_cosine; };
+  for (std::size_t ring = 1, first = 0; ring < most_rings && first < found.size() &&
+       (ring < fewest_rings || found.size() < wanted_neighbours);
+       ++ring)
+    for (const std::size_t last = found.size(); first < last; ++first)
+      visit(found[first], work, faces_likewise);
 }
 
-/// Root mean square of the smallest distances.
-double local_size(const Points& offset)
+/// Root mean square of the smallest distances, of which the squares are given and reordered.
+double local_size(std::vector<double>& squares)
 {
-  Eigen::VectorXd squares = offset.rowwise().squaredNorm();
-  std::sort(squares.begin(), squares.end());
-  const auto count = std::min<Eigen::Index>(size_neighbours, squares.size());
-  return count > 0 ? std::sqrt(squares.head(count).mean()) : 0;
+  const auto count = std::min<std::ptrdiff_t>(size_neighbours, std::ssize(squares));
+  const auto end = squares.begin() + count;
+  std::nth_element(squares.begin(), end, squares.end());
+  return count > 0
+    ? std::sqrt(std::accumulate(squares.begin(), end, 0.) / static_cast<double>(count))
+    : 0;
 }
 
-Neighbourhood Fitter::neighbourhood(int i) const
+void Fitter::describe(int i, Workspace& work) const
 {
-  Neighbourhood patch;
-  patch.vertex = rings(i);
-  patch.offset = mesh_.points(patch.vertex, Eigen::all).rowwise() - mesh_.points.row(i);
-  patch.size = local_size(patch.offset);
-  const double decay = border_[i] ? border_decay : inner_decay;
-  patch.weight = patch.offset.rowwise().squaredNorm();
-  patch.weight = (-0.5 * decay / (patch.size * patch.size) * patch.weight.array()).exp();
-  const auto& neighbours = connectivity_.vertex_neighbours;
-  for (const int* j = neighbours.begin(i); j != neighbours.end(i); ++j)
+  Patch& patch = work.patch;
+  const auto count = std::ssize(work.neighbour);
+  patch.offset.resize(count, 3);
+  work.squares.resize(count);
+  for (std::ptrdiff_t k = 0; k < count; ++k)
   {
-    patch.edge += (mesh_.points.row(*j) - mesh_.points.row(i)).norm() / neighbours.size(i);
+    patch.offset.row(k) = points_.row(work.neighbour[k]) - points_.row(i);
+    work.squares[k] = patch.offset.row(k).squaredNorm();
   }
-  return patch;
+  patch.weight = work.squares;
+  patch.size = local_size(work.squares);
+  const double factor =
+    -0.5 * (border_[i] ? border_decay : inner_decay) / (patch.size * patch.size);
+  for (double& weight : patch.weight)
+    weight = std::exp(factor * weight);
 }
 
-/// Degree 1 stands for the second-order terms alone: the tangent plane is the area-weighted
-/// normal's.
-int lowest_order(int degree)
+/// Mean length of the edges at a vertex.
+double Fitter::edge_length(int i) const
 {
-  return degree == 1 ? 2 : 1;
-}
-
-int highest_order(int degree)
-{
-  return std::max(degree, 2);
-}
-
-int unknowns(int degree)
-{
-  return degree == 1 ? 3 : (degree + 1) * (degree + 2) / 2 - 1;
-}
-
-/// x, y, x², xy, y², x³ … of each row's point.
-Eigen::MatrixXd monomials(const Points& local, int degree)
-{
-  Eigen::MatrixXd values(local.rows(), unknowns(degree));
-  int column = 0;
-  for (int order = lowest_order(degree); order <= highest_order(degree); ++order)
-  {
-    for (int j = 0; j <= order; ++j)
-    {
-      values.col(column++) = local.col(0).array().pow(order - j) * local.col(1).array().pow(j);
-    }
-  }
-  return values;
-}
-
-/// From the coefficients of the monomials in x/σ, y/σ to f_x, f_y, f_xx, f_xy, f_yy.
-Eigen::Matrix<double, 5, Eigen::Dynamic> derivatives(int degree, double size)
-{
-  Eigen::Matrix<double, 5, Eigen::Dynamic> d =
-    Eigen::Matrix<double, 5, Eigen::Dynamic>::Zero(5, unknowns(degree));
-  const int second = degree == 1 ? 0 : 2;
-  if (degree > 1)
-  {
-    d(0, 0) = d(1, 1) = 1 / size;
-  }
-  d(2, second) = d(4, second + 2) = 2 / (size * size);
-  d(3, second + 1) = 1 / (size * size);
-  return d;
-}
-
-/// Second-order terms can't follow a sphere far. z ρ²/d² has the same second derivatives at the
-/// vertex (in its tangent frame) and makes them exact on a sphere, where 2z/d² is the curvature at
-/// any distance d.
-Eigen::VectorXd heights(const Points& local, int degree)
-{
-  Eigen::VectorXd z = local.col(2);
-  for (Eigen::Index k = 0; degree <= 2 && k < z.size(); ++k)
-  {
-    const double d2 = local.row(k).squaredNorm();
-    z[k] *= d2 > 0 ? local.row(k).head<2>().squaredNorm() / d2 : 0;
-  }
-  return z;
-}
-
-Eigen::Matrix3d frame_of(const Vector3& normal)
-{
-  Eigen::Matrix3d frame;
-  const Vector3 x = normal.unitOrthogonal();
-  frame << x.transpose(), normal.cross(x).transpose(), normal.transpose();
-  return frame;
-}
-
-/// False where the neighbours don't determine all the terms.
-bool fit_height(const Neighbourhood& patch, const Vector3& normal, int degree, HeightFit& fit)
-{
-  fit.frame = frame_of(normal);
-  const Points local = patch.offset * fit.frame.transpose() / patch.size;
-  Eigen::MatrixXd A = patch.weight.asDiagonal() * monomials(local, degree);
-  const Eigen::VectorXd scale = A.colwise().norm().cwiseMax(1e-300);
-  A = A * scale.cwiseInverse().asDiagonal(); // needles: x and y of very different lengths
-  const auto [inverse, rank] = least_norm(A, patch.weight.asDiagonal(), rank_threshold);
-  if (degree > 1 && rank < A.cols())
-  {
-    return false;
-  }
-  const Eigen::VectorXd z = patch.size * heights(local, degree);
-  fit.operation = derivatives(degree, patch.size) * scale.cwiseInverse().asDiagonal() * inverse;
-  fit.slope = fit.operation * z;
-  fit.residual = (patch.weight.asDiagonal() * z - A * (inverse * z)).norm() / patch.weight.norm();
-  return fit.slope.allFinite() && fit.operation.allFinite();
-}
-
-/// Monge patch: H = −½ g^{ab} z_ab/√g, K = det z_ab/g², and
-/// Δ_s f = (1/√g) ∂_a(√g g^{ab} ∂_b f) = g^{ab} (f_ab − z_ab ∇z·∇f/g), exact for the polynomials.
-VertexFit surface_at(const HeightFit& height)
-{
-  const auto& [frame, slope, operation, residual] = height;
-  const double zx = slope[0], zy = slope[1], zxx = slope[2], zxy = slope[3], zyy = slope[4];
-  const double g = 1 + zx * zx + zy * zy; // determinant of the metric
-  const double gxx = (1 + zy * zy) / g, gxy = -zx * zy / g, gyy = (1 + zx * zx) / g; // its inverse
-  const double turn = gxx * zxx + 2 * gxy * zxy + gyy * zyy;
-  VertexFit fit;
-  fit.normal = frame.transpose() * Vector3(-zx, -zy, 1).normalized();
-  fit.mean = -0.5 * turn / std::sqrt(g);
-  fit.gauss = (zxx * zyy - zxy * zxy) / (g * g);
-  Eigen::RowVector<double, 5> weights;
-  weights << -turn * zx / g, -turn * zy / g, gxx, 2 * gxy, gyy;
-  fit.laplacian = (weights * operation).transpose();
-  return fit;
+  double sum = 0;
+  for (const int* j = neighbours_.begin(i); j != neighbours_.end(i); ++j)
+    sum += (points_.row(*j) - points_.row(i)).norm();
+  return sum / neighbours_.size(i);
 }
 
 /// Fewest neighbours for a fit: with exactly as many as unknowns, terms of order three and four
 /// would follow every error.
 int needed_neighbours(int degree)
 {
-  return degree <= 1 ? 1 : degree == 2 ? unknowns(2) : unknowns(degree) * 5 / 4;
+  const int unknowns = HeightFit::unknowns(degree);
+  return degree <= 1 ? 1 : degree == 2 ? unknowns : unknowns * 5 / 4;
 }
 
-VertexFit Fitter::fit(int i) const
+void Fitter::fit(int i, Workspace& work, FittedCurvature& result, LaplacianRows& rows) const
 {
-  if (normal_.row(i).isZero(0))
+  int degree = 0;
+  if (!normal_.row(i).isZero(0)) // no triangle, only degenerate ones, or two that cancel
   {
-    return {}; // no triangle, only degenerate ones, or two that cancel
+    gather(i, work);
+    describe(i, work);
+    const Vector3 normal = normal_.row(i);
+    for (degree = 4; degree >= 1; --degree)
+      if (work.patch.count() >= needed_neighbours(degree) &&
+        work.fit.compute(work.patch, normal, degree))
+        break;
   }
-  Neighbourhood patch = neighbourhood(i);
-  HeightFit height;
-  for (int degree = 4; degree >= 1; --degree)
+  if (degree > 0)
   {
-    if (static_cast<int>(patch.vertex.size()) >= needed_neighbours(degree) &&
-      fit_height(patch, normal_.row(i).transpose(), degree, height))
-    {
-      VertexFit fit = surface_at(height);
-      fit.degree = degree;
-      fit.residual = height.residual / patch.edge;
-      fit.neighbour = std::move(patch.vertex);
-      return fit;
-    }
+    result.curvature.normal.row(i) = work.fit.normal();
+    result.curvature.mean[i] = work.fit.mean();
+    result.curvature.gauss[i] = work.fit.gauss();
+    result.residual[i] = work.fit.residual() / edge_length(i);
+    result.degree[i] = degree;
+    const auto row = work.fit.laplacian(work.patch);
+    rows.neighbour.insert(rows.neighbour.end(), work.neighbour.begin(), work.neighbour.end());
+    rows.weight.insert(rows.weight.end(), row.begin(), row.end());
   }
-  return {};
+  rows.start.push_back(static_cast<int>(rows.neighbour.size()));
 }
 
 FittedCurvature zeros(int n)
@@ -301,41 +197,45 @@ FittedCurvature zeros(int n)
   return { { Points::Zero(n, 3), zero, zero, zero }, zero, Eigen::VectorXi::Zero(n), {} };
 }
 
-/// The second fit's Laplacian at the vertex, of the nodal values f.
-double laplacian(const VertexFit& fit, const Eigen::VectorXd& f, double at_vertex)
-{
-  double sum = 0;
-  for (std::size_t k = 0; k < fit.neighbour.size(); ++k)
-  {
-    sum += fit.laplacian[static_cast<Eigen::Index>(k)] * (f[fit.neighbour[k]] - at_vertex);
-  }
-  return sum;
 }
 
+FittedCurvature fitted_curvature(
+  const TriangleMesh& mesh, const Connectivity& connectivity, const Progress& progress)
+{
+  const int n = static_cast<int>(mesh.points.rows());
+  FittedCurvature result = zeros(n);
+  result.border = border_vertices(connectivity);
+  const Fitter fitter(mesh, connectivity, result.border);
+  const int blocks = (n + block_size - 1) / block_size;
+  std::vector<LaplacianRows> rows(blocks);
+  const auto for_each_block = [&](const Progress& part, const auto& visit)
+  {
+    parallel_for_in_parts(blocks, blocks_at_once, part,
+      [&](int block)
+      { visit(rows[block], block * block_size, std::min((block + 1) * block_size, n)); });
+  };
+  constexpr double fits_share = 0.95;
+  for_each_block(part_of(progress, 0, fits_share),
+    [&](LaplacianRows& block, int first, int last)
+    {
+      thread_local const auto kept = std::make_unique<Workspace>();
+      Workspace& work = *kept;
+      for (int i = first; i < last; ++i)
+        fitter.fit(i, work, result, block);
+    });
+  Curvature& curvature = result.curvature;
+  for_each_block(part_of(progress, fits_share, 1),
+    [&](const LaplacianRows& block, int first, int last)
+    {
+      for (int i = first; i < last; ++i)
+        curvature.laplacian_mean[i] = block.times(i - first, curvature.mean, curvature.mean[i]);
+    });
+  return result;
 }
 
 FittedCurvature fitted_curvature(const TriangleMesh& mesh)
 {
-  const int n = static_cast<int>(mesh.points.rows());
-  const Fitter fitter(mesh);
-  FittedCurvature result = zeros(n);
-  result.border = fitter.border();
-  Curvature& curvature = result.curvature;
-  std::vector<VertexFit> fits(n);
-  parallel_for(n,
-    [&](int i)
-    {
-      const VertexFit& fit = fits[i] = fitter.fit(i);
-      curvature.normal.row(i) = fit.normal.transpose();
-      curvature.mean[i] = fit.mean;
-      curvature.gauss[i] = fit.gauss;
-      result.residual[i] = fit.residual;
-      result.degree[i] = fit.degree;
-    });
-  parallel_for(n,
-    [&](int i)
-    { curvature.laplacian_mean[i] = laplacian(fits[i], curvature.mean, curvature.mean[i]); });
-  return result;
+  return fitted_curvature(mesh, Connectivity(mesh.triangles, static_cast<int>(mesh.points.rows())));
 }
 
 }

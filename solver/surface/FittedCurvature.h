@@ -26,6 +26,8 @@
 //     ellipsoid cut open, from 5,120 triangles (OpenBorder):
 //       inside H 9.4e-5, Δ_s H 3.9e-2; on the border H 2.1e-3, Δ_s H 1.7: no figure to use
 
+#include "solver/Progress.h"
+#include "solver/mesh/Connectivity.h"
 #include "solver/surface/Cotan.h"
 
 #include <vector>
@@ -50,5 +52,7 @@ struct FittedCurvature
 };
 
 FittedCurvature fitted_curvature(const TriangleMesh& mesh);
+FittedCurvature fitted_curvature(
+  const TriangleMesh& mesh, const Connectivity& connectivity, const Progress& progress = {});
 
 }

@@ -13,6 +13,11 @@ namespace vesicle
 class LoopBasis final : public Basis
 {
 public:
+  /// For integrals over the surface: six points an element, and elements at extraordinary vertices
+  /// halved three times towards them, which costs little. An energy of fewer points lets the surface
+  /// ripple between them where it is hardly resolved.
+  static constexpr int rule_points = 6, rule_grading = 3;
+
   /// A closed manifold mesh with valences of at least 3. Throws InputError.
   LoopBasis(Triangles triangles, int nodes);
 

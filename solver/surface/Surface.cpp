@@ -10,11 +10,6 @@ namespace vesicle
 namespace
 {
 
-// Levels by which elements at extraordinary vertices are refined for the geometry, which costs
-// little.
-constexpr int smooth_grading = 3;
-constexpr int smooth_points = 6;
-
 std::unique_ptr<const Basis> make_basis(SurfaceBasis kind, const Triangles& triangles, int nodes)
 {
   if (kind == SurfaceBasis::loop)
@@ -25,7 +20,7 @@ std::unique_ptr<const Basis> make_basis(SurfaceBasis kind, const Triangles& tria
 BasisTable make_table(const Basis& basis, int flat_points)
 {
   BasisTable table = basis.smooth()
-    ? tabulate_rule(basis, triangle_rule(smooth_points), smooth_grading)
+    ? tabulate_rule(basis, triangle_rule(LoopBasis::rule_points), LoopBasis::rule_grading)
     : tabulate_rule(basis, triangle_rule(flat_points));
   table.pattern = pattern_of(table);
   return table;
@@ -98,8 +93,7 @@ Curvature weak_curvature(const Surface& surface)
   c.gauss = projected(moments(table, surface.points, surface.curvature->gauss));
   const Eigen::VectorXd force =
     projected(bending_moments(table, surface.points, *surface.curvature));
-  const auto H = c.mean.array();
-  c.laplacian_mean = force.array() / 2 - 2 * H * (H * H - c.gauss.array());
+  c.laplacian_mean = laplacian_of_mean(force, c.mean, c.gauss);
   return c;
 }
 

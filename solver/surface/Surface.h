@@ -41,9 +41,8 @@ public:
   int nodes() const { return basis_->nodes(); }
   bool smooth() const { return basis_->smooth(); }
   VertexCurvature curvature() const { return curvature_; }
-  /// For integrals over the surface; its nodes are the control points. Smooth surfaces: six points an
-  /// element, and elements at extraordinary vertices halved three times towards them. An energy of
-  /// fewer points lets the surface ripple between them where it is hardly resolved.
+  /// For integrals over the surface; its nodes are the control points. Smooth surfaces: LoopBasis' own
+  /// rule.
   const BasisTable& table() const { return table_; }
   const Collocation& collocation() const { return collocation_; }
   /// Of the matrices over its nodes, which have the same patterns shape after shape.

@@ -84,28 +84,47 @@ SparseMatrix bilaplacian(
   return gram_matrix(table, surface, [&](int, int k) { return c.laplacian[k]; });
 }
 
-Eigen::VectorXd bending_moments(
-  const BasisTable& table, const SurfacePoints& surface, const PointCurvature& c, double c0)
+void add_bending_moments(const BasisTable& table, const SurfacePoints& surface,
+  const PointCurvature& c, double c0, Eigen::Ref<Eigen::VectorXd> to)
 {
-  Eigen::VectorXd load = Eigen::VectorXd::Zero(table.nodes);
   for (int q = 0; q < table.rows(); ++q)
   {
     const double H = c.mean[q], excess = 2 * H - c0;
     const double local = excess * (2 * H * H - 2 * c.gauss[q] + c0 * H);
     for (int k = table.start[q]; k < table.start[q + 1]; ++k)
-      load[table.node[k]] +=
+      to[table.node[k]] +=
         surface.area_weight[q] * (excess * c.laplacian[k] + local * table.value[k]);
   }
+}
+
+Eigen::VectorXd bending_moments(
+  const BasisTable& table, const SurfacePoints& surface, const PointCurvature& c, double c0)
+{
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(table.nodes);
+  add_bending_moments(table, surface, c, c0, load);
   return load;
+}
+
+Eigen::VectorXd laplacian_of_mean(
+  const Eigen::VectorXd& force, const Eigen::VectorXd& mean, const Eigen::VectorXd& gauss)
+{
+  const auto H = mean.array();
+  return force.array() / 2 - 2 * H * (H * H - gauss.array());
+}
+
+void add_moments(const BasisTable& table, const SurfacePoints& surface, const Eigen::VectorXd& f,
+  Eigen::Ref<Eigen::VectorXd> to)
+{
+  for (int q = 0; q < table.rows(); ++q)
+    for (int k = table.start[q]; k < table.start[q + 1]; ++k)
+      to[table.node[k]] += surface.area_weight[q] * f[q] * table.value[k];
 }
 
 Eigen::VectorXd moments(
   const BasisTable& table, const SurfacePoints& surface, const Eigen::VectorXd& f)
 {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(table.nodes);
-  for (int q = 0; q < table.rows(); ++q)
-    for (int k = table.start[q]; k < table.start[q + 1]; ++k)
-      result[table.node[k]] += surface.area_weight[q] * f[q] * table.value[k];
+  add_moments(table, surface, f, result);
   return result;
 }
 

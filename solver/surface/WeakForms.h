@@ -36,9 +36,17 @@ SparseMatrix bilaplacian(
 /// derivative beyond the second is needed.
 Eigen::VectorXd bending_moments(const BasisTable& table, const SurfacePoints& surface,
   const PointCurvature& curvature, double c0 = 0);
+/// Δ_s H from the values of 2 Δ_s H + 4 H (H² − K), H and K.
+Eigen::VectorXd laplacian_of_mean(
+  const Eigen::VectorXd& force, const Eigen::VectorXd& mean, const Eigen::VectorXd& gauss);
 /// ∮ f N_k dS for f given at the quadrature points: N.
 Eigen::VectorXd moments(
   const BasisTable& table, const SurfacePoints& surface, const Eigen::VectorXd& f);
+/// The same of a part of the surface's points, added to what is there.
+void add_bending_moments(const BasisTable& table, const SurfacePoints& surface,
+  const PointCurvature& curvature, double c0, Eigen::Ref<Eigen::VectorXd> to);
+void add_moments(const BasisTable& table, const SurfacePoints& surface, const Eigen::VectorXd& f,
+  Eigen::Ref<Eigen::VectorXd> to);
 
 template<class Value>
 SparseMatrix gram_matrix(const BasisTable& table, const SurfacePoints& surface, Value value)

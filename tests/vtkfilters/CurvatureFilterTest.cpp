@@ -6,6 +6,7 @@
 #include "tests/solver/support/TestMeshes.h"
 #include "solver/mesh/shapes/GeodesicSphere.h"
 
+#include "vtkCommand.h"
 #include "vtkCurvatures.h"
 #include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
@@ -17,10 +18,12 @@
 #include "vtkSphereSource.h"
 
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace vesicle::test
 {
@@ -348,6 +351,94 @@ TEST(CurvatureFilter, IsTheSameFarFromTheOrigin)
     {
       // Coordinates of 1e6 are rounded to 1e-10; second differences over edges of 0.15.
       EXPECT_NEAR(value(far, "Mean_Curvature", i), value(near, "Mean_Curvature", i), 1e-7);
+    }
+  }
+}
+
+namespace
+{
+
+constexpr int schemes[] = { vtkVesicleCurvatureFilter::Fit, vtkVesicleCurvatureFilter::Cotan,
+  vtkVesicleCurvatureFilter::Loop };
+
+/// Notes the progress and, from `stop_at` on, sets AbortExecute.
+struct ProgressNotes
+{
+  void note(vtkObject* caller, unsigned long, void* share)
+  {
+    shares.push_back(*static_cast<double*>(share));
+    if (shares.back() >= stop_at)
+    {
+      static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+    }
+  }
+  double stop_at = 2;
+  std::vector<double> shares;
+};
+
+}
+
+TEST(CurvatureFilter, ProgressRisesToOne)
+{
+  for (const int scheme : schemes)
+  {
+    vtkNew<vtkVesicleCurvatureFilter> filter;
+    filter->SetScheme(scheme);
+    filter->SetInputData(to_polydata(geodesic_sphere(50)));
+    ProgressNotes notes;
+    filter->AddObserver(vtkCommand::ProgressEvent, &notes, &ProgressNotes::note);
+    filter->Update();
+    EXPECT_GT(notes.shares.size(), 4U);
+    EXPECT_TRUE(std::is_sorted(notes.shares.begin(), notes.shares.end())) << scheme;
+    EXPECT_EQ(notes.shares.front(), 0);
+    EXPECT_EQ(notes.shares.back(), 1);
+  }
+}
+
+TEST(CurvatureFilter, AbortGivesNothingAndTheNextUpdateAll)
+{
+  const VtkMessages messages;
+  for (const int scheme : schemes)
+  {
+    vtkNew<vtkVesicleCurvatureFilter> filter;
+    filter->SetScheme(scheme);
+    filter->SetInputData(to_polydata(geodesic_sphere(50)));
+    ProgressNotes notes{ 0.2, {} };
+    const auto observer =
+      filter->AddObserver(vtkCommand::ProgressEvent, &notes, &ProgressNotes::note);
+    filter->Update();
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+    EXPECT_LT(notes.shares.back(), scheme == vtkVesicleCurvatureFilter::Cotan ? 1 : 0.6);
+    filter->RemoveObserver(observer);
+    filter->Modified();
+    filter->Update();
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 25002);
+    EXPECT_NEAR(value(filter->GetOutput(), "Mean_Curvature", 7), 1, 1e-3);
+  }
+  EXPECT_FALSE(messages.any_error());
+}
+
+TEST(CurvatureFilter, DoesNotDependOnTheNumberOfThreads)
+{
+  for (const int scheme : schemes)
+  {
+    const auto output = [&](int threads)
+    {
+      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+      vtkNew<vtkVesicleCurvatureFilter> filter;
+      filter->SetScheme(scheme);
+      filter->SetInputData(sphere());
+      filter->Update();
+      return vtkSmartPointer<vtkPolyData>(filter->GetOutput());
+    };
+    const auto one = output(1), four = output(4);
+    for (int k = 0; k < one->GetPointData()->GetNumberOfArrays(); ++k)
+    {
+      const std::string name = one->GetPointData()->GetArrayName(k);
+      for (vtkIdType i = 0; i < one->GetNumberOfPoints(); ++i)
+      {
+        EXPECT_EQ(value(one, name, i), value(four, name, i)) << name;
+      }
     }
   }
 }

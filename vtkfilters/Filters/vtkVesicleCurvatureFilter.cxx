@@ -8,8 +8,8 @@
 #include "solver/membrane/HelfrichBending.h"
 #include "solver/mesh/BodyOrientation.h"
 #include "solver/mesh/Connectivity.h"
-#include "solver/mesh/Topology.h"
-#include "solver/surface/Surface.h"
+#include "solver/mesh/MeshInspection.h"
+#include "solver/surface/LoopCurvature.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
@@ -33,20 +33,13 @@ using vesicle::TriangleMesh;
 using Mask = std::vector<bool>;
 
 /// Where the curvature is defined: triangles all around the vertex.
-Mask inner_vertices(const TriangleMesh& mesh, const vesicle::Connectivity& connectivity)
+Mask inner_vertices(const vesicle::Connectivity& connectivity)
 {
-  Mask inner(mesh.points.rows());
+  const std::vector<char> border = vesicle::border_vertices(connectivity);
+  Mask inner(border.size());
   for (std::size_t i = 0; i < inner.size(); ++i)
   {
-    inner[i] = connectivity.vertex_triangles.size(static_cast<int>(i)) > 0;
-  }
-  for (std::size_t edge = 0; edge < connectivity.edges.size(); ++edge)
-  {
-    if (connectivity.edge_triangles[edge] != 2)
-    {
-      inner[connectivity.edges[edge][0]] = false;
-      inner[connectivity.edges[edge][1]] = false;
-    }
+    inner[i] = !border[i] && connectivity.vertex_triangles.size(static_cast<int>(i)) > 0;
   }
   return inner;
 }
@@ -122,15 +115,9 @@ vtkSmartPointer<vtkUnsignedCharArray> to_array(const char* name, const Mask& mas
 
 constexpr const char* scheme_names[] = { "fit", "cotan", "loop" };
 
-vesicle::Curvature loop_curvature(const TriangleMesh& mesh)
-{
-  const vesicle::SurfaceSpace space(
-    vesicle::SurfaceBasis::loop, mesh.triangles, static_cast<int>(mesh.points.rows()));
-  return vesicle::vertex_curvature(vesicle::Surface(space, mesh.points));
-}
-
 /// By the scheme's name; the fit adds its own arrays.
-vesicle::Curvature curvature_of(const TriangleMesh& mesh, int scheme, vtkPointData* arrays)
+vesicle::Curvature curvature_of(const TriangleMesh& mesh, const vesicle::Connectivity& connectivity,
+  int scheme, const vesicle::Progress& progress, vtkPointData* arrays)
 {
   switch (scheme)
   {
@@ -138,10 +125,10 @@ vesicle::Curvature curvature_of(const TriangleMesh& mesh, int scheme, vtkPointDa
       return vesicle::cotan_curvature(vesicle::CotanGeometry(mesh.points, mesh.triangles),
         mesh.points, vesicle::NormalScheme::area_weighted);
     case vtkVesicleCurvatureFilter::Loop:
-      return loop_curvature(mesh);
+      return vesicle::loop_curvature(mesh, progress);
     default:
     {
-      auto fit = vesicle::fitted_curvature(mesh);
+      auto fit = vesicle::fitted_curvature(mesh, connectivity, progress);
       arrays->AddArray(vesicle::to_array("Fit_Residual", fit.residual));
       arrays->AddArray(vesicle::to_array("Fit_Degree", Eigen::VectorXd(fit.degree.cast<double>())));
       return std::move(fit.curvature);
@@ -150,11 +137,12 @@ vesicle::Curvature curvature_of(const TriangleMesh& mesh, int scheme, vtkPointDa
 }
 
 /// The mesh may have neither points nor triangles.
-void add_curvatures(const TriangleMesh& mesh, int scheme, double rigidity, vtkPointData* arrays)
+void add_curvatures(const TriangleMesh& mesh, int scheme, double rigidity,
+  const vesicle::Progress& progress, vtkPointData* arrays)
 {
   const vesicle::Connectivity connectivity(mesh.triangles, static_cast<int>(mesh.points.rows()));
-  auto curvature = curvature_of(mesh, scheme, arrays);
-  Mask valid = inner_vertices(mesh, connectivity);
+  auto curvature = curvature_of(mesh, connectivity, scheme, progress, arrays);
+  Mask valid = inner_vertices(connectivity);
   drop_invalid(curvature.mean, valid);
   drop_invalid(curvature.gauss, valid);
   drop_invalid(curvature.mean, valid);
@@ -201,6 +189,11 @@ void add_principal_curvature(const char* name, double sign, vtkPointData* arrays
   arrays->AddArray(principal);
 }
 
+/// Thrown where AbortExecute was seen.
+struct Aborted
+{
+};
+
 }
 
 vtkStandardNewMacro(vtkVesicleCurvatureFilter);
@@ -228,16 +221,26 @@ int vtkVesicleCurvatureFilter::RequestData(
 {
   vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
+  const vesicle::Progress progress = [this](double share)
+  {
+    this->UpdateProgress(share);
+    if (this->GetAbortExecute())
+    {
+      throw Aborted();
+    }
+  };
+  constexpr double read = 0.05, checked = 0.15, computed = 0.95;
   try
   {
     output->ShallowCopy(vesicle::triangulated(input));
+    progress(read);
     if (output->GetNumberOfPolys() == 0)
     {
       vtkWarningMacro(<< "the input has no triangles: no curvature is computed");
       return 1;
     }
     TriangleMesh mesh = vesicle::to_mesh(output);
-    if (!vesicle::topology(mesh).oriented)
+    if (!vesicle::MeshInspection(mesh).oriented())
     {
       vtkWarningMacro(
         << "neighbouring triangles disagree on the orientation: signs of curvatures and "
@@ -252,10 +255,13 @@ int vtkVesicleCurvatureFilter::RequestData(
         vtkWarningMacro(<< text);
       }
     }
+    progress(checked);
     centre(mesh);
     vesicle::use_double_points(output);
     vtkPointData* arrays = output->GetPointData();
-    add_curvatures(mesh, this->Scheme, this->BendingRigidity, arrays);
+    add_curvatures(mesh, this->Scheme, this->BendingRigidity,
+      vesicle::part_of(progress, checked, computed), arrays);
+    progress(computed);
     if (this->InvertMeanCurvature)
     {
       invert(arrays->GetArray("Mean_Curvature"));
@@ -266,6 +272,11 @@ int vtkVesicleCurvatureFilter::RequestData(
         this->CurvatureType == VTK_CURVATURE_MAXIMUM ? 1 : -1, arrays);
     }
     arrays->SetActiveScalars(type_names[this->CurvatureType]);
+    return 1;
+  }
+  catch (const Aborted&)
+  {
+    output->Initialize();
     return 1;
   }
   catch (const std::exception& error)

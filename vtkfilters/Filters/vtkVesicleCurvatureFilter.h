@@ -36,6 +36,10 @@
  * Scheme Loop: the Loop limit surface through the vertices of a closed mesh, as the dynamics use
  * it; for meshes with smoothly spaced points.
  *
+ * Time and memory of Fit and Loop grow as the number of triangles; threads share the work, and results
+ * don't depend on their number. ProgressEvent comes on the way; where AbortExecute is set the output is
+ * empty.
+ *
  * Scheme Cotan (the paper's; H doesn't converge at vertices of valence other than six, nor Δ_s H on
  * irregular meshes): with the cotangent Laplacian L over the barycentric areas A_i,
  * (L f)_i = Σ_j (cot α_ij + cot β_ij)(f_j − f_i)/(2 A_i), H = −½ (L x)·n, K = (2π − Σ θ)/A_i from

@@ -14,7 +14,9 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace vesicle
 {
@@ -311,7 +313,23 @@ TEST(FittedCurvature, DoesNotDependOnTheNumberOfThreads)
   const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
   const FittedCurvature single = fitted_curvature(mesh);
   EXPECT_EQ(many.curvature.mean, single.curvature.mean);
+  EXPECT_EQ(many.curvature.gauss, single.curvature.gauss);
+  EXPECT_EQ(many.curvature.normal, single.curvature.normal);
   EXPECT_EQ(many.curvature.laplacian_mean, single.curvature.laplacian_mean);
+  EXPECT_EQ(many.residual, single.residual);
+}
+
+TEST(FittedCurvature, TellsItsProgressAndCanBeEnded)
+{
+  const TriangleMesh mesh = geodesic_sphere(50); // some blocks of vertices
+  const Connectivity connectivity(mesh.triangles, static_cast<int>(mesh.points.rows()));
+  std::vector<double> shares;
+  fitted_curvature(mesh, connectivity, [&](double share) { shares.push_back(share); });
+  EXPECT_GT(shares.size(), 4U);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_EQ(shares.back(), 1);
+  const auto stop = [](double) { throw std::runtime_error("stop"); };
+  EXPECT_THROW(fitted_curvature(mesh, connectivity, stop), std::runtime_error);
 }
 
 bool all_finite(const FittedCurvature& fit)
