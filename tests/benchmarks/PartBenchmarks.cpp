@@ -9,6 +9,7 @@
 #include "solver/dynamics/Stepper.h"
 #include "solver/simulation/SystemOfScene.h"
 #include "solver/stokes/LayerSum.h"
+#include "solver/stokes/TreeSum.h"
 
 #include <functional>
 #include <memory>
@@ -20,6 +21,11 @@ namespace vesicle::benchmarks
 namespace
 {
 
+std::unique_ptr<const PointSum> tree_sum(const RowVectors& points, const Points& vertices)
+{
+  return std::make_unique<TreeSum>(points, vertices, LayerSettings{}.tree_tolerance);
+}
+
 /// A stage as the stepper poses it, with all that solves it.
 struct Stage
 {
@@ -28,7 +34,7 @@ struct Stage
   double dt, tau;
   System system;
   SystemShape shape;
-  LayerSum layer;
+  LayerSum layer, by_tree;
   std::vector<LocalPreconditioner> preconditioners;
   Eigen::VectorXd reference;
   AdjacencyList neighbours;
@@ -37,7 +43,7 @@ struct Stage
     : run(endless("pear", triangles), 1), start(run.state.vesicles[0]),
       dt(run.state.controller.next_step), tau((1 - 1 / std::numbers::sqrt2) * dt),
       system(fresh_system()), shape(system, { start.points + dt / 2 * start.node_velocity }),
-      layer(layer_surfaces(shape)), preconditioners(1),
+      layer(layer_surfaces(shape)), by_tree(layer_surfaces(shape), tree_sum), preconditioners(1),
       reference(
         relative_to_centroids(SystemShape(system, { start.points }), velocity_of(run.state))),
       neighbours(
@@ -148,6 +154,14 @@ using benchmark::DoNotOptimize;
   };
   add("apply/double", apply(Precision::full));
   add("apply/single", apply(Precision::single));
+  add("tree", [](Stage& s) { LayerSum(layer_surfaces(s.shape), tree_sum); });
+  const auto apply_by_tree = [](Precision precision)
+  {
+    return [precision](Stage& s)
+    { DoNotOptimize(s.by_tree.apply({ s.loads().gradient() }, precision)); };
+  };
+  add("tree/double", apply_by_tree(Precision::full));
+  add("tree/single", apply_by_tree(Precision::single));
   add("preconditioner/tension", [](Stage& s) { s.preconditioners[0].build(s.loads()); });
   add(
     "preconditioner/bending", [](Stage& s) { s.preconditioners[0].build_stiff(s.loads(), s.tau); });
@@ -161,8 +175,8 @@ using benchmark::DoNotOptimize;
   add("motion",
     [](Stage& s)
     {
-      DoNotOptimize(sliding_velocity(
-        s.loads(), s.neighbours, s.start.velocity, s.system.rate(), s.tau, s.start.node_velocity));
+      DoNotOptimize(sliding_velocity(s.loads(), sliding_motion(s.loads(), s.tau), s.neighbours,
+        s.start.velocity, s.system.rate(), s.start.node_velocity));
     });
   add("projection",
     [](Stage& s)
