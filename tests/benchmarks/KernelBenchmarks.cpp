@@ -4,6 +4,7 @@
 #include "tests/benchmarks/Measuring.h"
 
 #include "solver/stokes/PointSum.h"
+#include "solver/stokes/TreeSum.h"
 
 #include <algorithm>
 #include <cmath>
@@ -117,6 +118,19 @@ void direct_sum(benchmark::State& state, Precision precision)
     rate(static_cast<double>(sources.rows()) * static_cast<double>(targets.rows()));
 }
 
+// Two thirds of the points are sources.
+void tree_sum(benchmark::State& state, double tolerance)
+{
+  const Threads one(1);
+  const RowVectors sources = spiral(static_cast<int>(2 * state.range(0) / 3), 1),
+                   forces = RowVectors::Ones(sources.rows(), 3);
+  const Points targets = spiral(static_cast<int>(state.range(0) / 3), 1.01);
+  const TreeSum sum(sources, targets, tolerance);
+  Points velocity = Points::Zero(targets.rows(), 3);
+  for (auto _ : state)
+    sum.add(forces, Precision::full, velocity);
+}
+
 template<class Real>
 void add(const std::string& name, const HandWritten<Real>& by_hand, Loop<Real> ours)
 {
@@ -141,6 +155,16 @@ BENCHMARK_CAPTURE(direct_sum, double, Precision::full)
   ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(direct_sum, single, Precision::single)
   ->Name("DirectSum/single")
+  ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(tree_sum, 1e-4, 1e-4)
+  ->Name("TreeSum/1e-4")
+  ->RangeMultiplier(4)
+  ->Range(16384, 1000000)
+  ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(tree_sum, 1e-6, 1e-6)
+  ->Name("TreeSum/1e-6")
+  ->RangeMultiplier(4)
+  ->Range(16384, 1000000)
   ->Unit(benchmark::kMillisecond);
 
 }
