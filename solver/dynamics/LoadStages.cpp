@@ -35,7 +35,7 @@ std::unique_ptr<const PointSum> far_sum(
   if (layer.method == LayerMethod::tree ||
     (layer.method == LayerMethod::automatic && pairs > most_direct_pairs))
     return std::make_unique<TreeSum>(points, vertices, layer.tree_tolerance);
-  return std::make_unique<DirectSum>(points, vertices);
+  return LayerSum::direct_sum(points, vertices);
 }
 
 }

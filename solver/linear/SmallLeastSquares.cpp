@@ -65,24 +65,6 @@ struct Columns
 // Four columns at once, since sums that wait for each other leave the processor idle.
 constexpr int together = 4;
 
-VESICLE_INLINE void measure(const Columns& columns, const int* which, double* length)
-{
-  const double *const a = columns[which[0]], *const b = columns[which[1]],
-                      *const c = columns[which[2]], *const d = columns[which[3]];
-  Lanes aa{}, bb{}, cc{}, dd{};
-  for (int i = 0; i < columns.stride; i += lanes)
-  {
-    aa += at(a, i) * at(a, i);
-    bb += at(b, i) * at(b, i);
-    cc += at(c, i) * at(c, i);
-    dd += at(d, i) * at(d, i);
-  }
-  length[which[0]] = std::sqrt(sum_of(aa));
-  length[which[1]] = std::sqrt(sum_of(bb));
-  length[which[2]] = std::sqrt(sum_of(cc));
-  length[which[3]] = std::sqrt(sum_of(dd));
-}
-
 /// What the columns have of the unit vector q goes to `part` and is taken from them.
 VESICLE_INLINE void take_out(
   const double* q, const Columns& columns, const int* which, double* part)
@@ -110,15 +92,15 @@ VESICLE_INLINE void take_out(
 }
 
 /// Makes the first `count` columns orthonormal, in the order of how much of their length is left, and
-/// takes what they span out of the one after them. `order` goes on with that one and as many zero columns as a last
-/// four may need; `left` are squared shares of the lengths, R has a row a column chosen. False as
-/// SmallLeastSquares::solve.
+/// takes what they span out of the one after them. `order` goes on with that one and as many zero
+/// columns as a last four may need; `left` are squared shares of the lengths, R has a row a column
+/// chosen. False as SmallLeastSquares::solve.
 VESICLE_MULTIVERSION
 bool orthonormalize(const Columns& A, int count, double threshold, int* order, double* length,
   double* left, double* R)
 {
-  for (int j = 0; j < count; j += together)
-    measure(A, order + j, length);
+  for (int j = 0; j < count; ++j)
+    length[j] = std::sqrt(dot(A[j], A[j], A.stride));
   std::fill_n(left, count, 1.);
   for (int k = 0; k < count; ++k, R += count + 2)
   {

@@ -346,7 +346,7 @@ SceneTable accuracy_table()
       "change the answer"),
     key("tree_tolerance", at(&Scene::accuracy, &Accuracy::tree_tolerance),
       rules::Number{ tree_tolerances }, "",
-      "relative error of the velocity that clusters leave; with \"tree\""),
+      "relative error of the velocity that clusters leave, where the operator has them"),
     key("linear_tolerance", at(&Scene::accuracy, &Accuracy::linear_tolerance),
       rules::Number{ below_one }, "",
       "relative error of the velocity that the linear solves leave; 1e-8 with the preset "

@@ -50,11 +50,6 @@ std::string gigabytes(double bytes)
                       : fmt::format("{:.3g} TB", bytes / 1e12);
 }
 
-}
-
-namespace
-{
-
 double step_seconds(const Scene& scene, double triangles)
 {
   if (scene.accuracy.basis == Scene::Basis::linear)

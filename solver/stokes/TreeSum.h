@@ -15,8 +15,8 @@ namespace vesicle
 class TreeSum final : public PointSum
 {
 public:
-  /// `tolerance` is what Precision::full leaves, about, root mean square and relative to the velocity;
-  /// Precision::single leaves single_precision_error where that is more.
+  /// `tolerance` is what Precision::full leaves, about, root mean square and relative to the velocity.
+  /// With Precision::single clusters leave no less than single_precision_error, and so does rounding.
   TreeSum(const RowVectors& sources, const Points& targets, double tolerance);
   void add(const RowVectors& forces, Precision precision, Points& velocity) const override;
 
