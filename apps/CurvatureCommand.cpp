@@ -30,6 +30,10 @@ struct CurvatureOptions
   std::string output;
   std::string scheme = "fit";
   double rigidity = 1;
+  double radius = 0;
+  double rings = 0;
+  bool all = false;
+  bool no_force = false;
   double merge = 0;
 };
 
@@ -63,6 +67,11 @@ int write_curvature(const CurvatureOptions& options)
   filter->SetSchemeByName(options.scheme.c_str());
   filter->SetCurvatureTypeToMean();
   filter->SetBendingRigidity(options.rigidity);
+  filter->SetFitRadius(options.radius);
+  filter->SetFitRings(options.rings);
+  filter->SetPrincipalCurvatures(options.all);
+  filter->SetShapeDescriptors(options.all);
+  filter->SetBendingForce(!options.no_force);
   {
     const VtkMessages messages;
     filter->Update();
@@ -70,7 +79,10 @@ int write_curvature(const CurvatureOptions& options)
     {
       throw InputError(options.mesh + ": " + messages.first_error());
     }
-    warn_of(options.mesh, messages.first_warning());
+    for (const std::string& warning : messages.warnings())
+    {
+      warn_of(options.mesh, warning);
+    }
   }
   warn(write_mesh(filter->GetOutput(), options.output));
   const vtkIdType undefined = undefined_vertices(filter->GetOutput());
@@ -100,12 +112,23 @@ void add_curvature_command(CLI::App& app, Action& action)
   command->add_option("--scheme", options->scheme, "How curvatures are found")
     ->check(CLI::IsMember({ "fit", "cotan", "loop" }))
     ->capture_default_str();
+  auto* radius = command->add_option("--radius", options->radius,
+    "Length scale of the fit, for noisy meshes: above their noise, below the radii of curvature");
+  radius->check(CLI::PositiveNumber);
+  command->add_option("--rings", options->rings, "The same in mean lengths of the mesh's edges")
+    ->check(CLI::PositiveNumber)
+    ->excludes(radius);
+  command->add_flag("--all", options->all,
+    "Principal curvatures and directions, curvedness, shape index and H² as well");
+  command->add_flag(
+    "--no-force", options->no_force, "Without Δ_s H and the force, half of the work with a radius");
   command->add_option("--bending-rigidity", options->rigidity, "EB, multiplies the force")
     ->check(CLI::NonNegativeNumber)
     ->capture_default_str();
   command->add_option("--merge", options->merge, "Points nearer than this distance become one")
     ->check(CLI::PositiveNumber);
-  command->footer("Example: vesicle curvature cell.ply -o cell.vtu");
+  command->footer("Example: vesicle curvature cell.ply -o cell.vtu\n"
+                  "         vesicle curvature segmented.vtp --radius 12 --all -o segmented.vtu");
   command->callback(
     [options, &action] { action = [options] { return write_curvature(*options); }; });
 }

@@ -24,6 +24,7 @@ struct Case
 };
 
 std::vector<Case> curvature_cases();
+std::vector<Case> segmented_cases();
 std::vector<Case> operator_cases();
 std::vector<Case> sphere_cases();
 std::vector<Case> shear_cases();

@@ -133,6 +133,16 @@ void combine(const Columns& Q, int count, const int* order, const double* factor
     add(factor[k], Q[order[k]], sum, Q.stride);
 }
 
+/// Each row's squared length.
+VESICLE_MULTIVERSION
+void measure_rows(const Columns& Q, int count, double* square)
+{
+  std::fill_n(square, Q.stride, 0);
+  for (int k = 0; k < count; ++k)
+    for (int i = 0; i < Q.stride; i += lanes)
+      at(square, i) += at(Q[k], i) * at(Q[k], i);
+}
+
 }
 
 void SmallLeastSquares::resize(int rows, int unknowns)
@@ -186,10 +196,17 @@ std::span<const double> SmallLeastSquares::functional(std::span<const double> g)
       sum -= R(m, order_[k]) * multipliers_[m];
     multipliers_[k] = sum / R(k, order_[k]);
   }
-  functional_.resize(stride_);
+  of_rows_.resize(stride_);
   const Columns Q{ columns_.data(), stride_ };
-  combine(Q, unknowns_, order_.data(), multipliers_.data(), functional_.data());
-  return { functional_.data(), static_cast<std::size_t>(rows_) };
+  combine(Q, unknowns_, order_.data(), multipliers_.data(), of_rows_.data());
+  return { of_rows_.data(), static_cast<std::size_t>(rows_) };
+}
+
+std::span<const double> SmallLeastSquares::leverages()
+{
+  of_rows_.resize(stride_);
+  measure_rows({ columns_.data(), stride_ }, unknowns_, of_rows_.data());
+  return { of_rows_.data(), static_cast<std::size_t>(rows_) };
 }
 
 }

@@ -28,6 +28,9 @@ public:
   /// The w of wᵀb = gᵀx: how a functional of the solution, `unknowns` numbers, follows from the right
   /// side. Valid until the next call of a member that isn't const.
   std::span<const double> functional(std::span<const double> g);
+  /// How much of each entry of b its own fitted value takes: the diagonal of A (AᵀA)⁻¹ Aᵀ, of sum
+  /// `unknowns`. As functional().
+  std::span<const double> leverages();
 
 private:
   double& R(int k, int j) { return R_[static_cast<std::size_t>(k) * (unknowns_ + 2) + j]; }
@@ -39,7 +42,7 @@ private:
   std::vector<int> order_;            ///< of the columns
   std::vector<double> length_, left_; ///< of A's columns
   std::vector<double> R_;             ///< a row a column chosen, numbered as in A
-  std::vector<double> solution_, multipliers_, functional_;
+  std::vector<double> solution_, multipliers_, of_rows_;
   double residual_ = 0;
 };
 

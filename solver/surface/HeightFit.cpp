@@ -15,14 +15,6 @@ namespace
 // Terms that the points don't tell apart (of columns of unit length): a lower degree then.
 constexpr double rank_threshold = 1e-6;
 
-Eigen::Matrix3d frame_of(const Vector3& normal)
-{
-  Eigen::Matrix3d frame;
-  const Vector3 x = normal.unitOrthogonal();
-  frame << x.transpose(), normal.cross(x).transpose(), normal.transpose();
-  return frame;
-}
-
 Eigen::Map<const Eigen::VectorXd> as_vector(const std::vector<double>& values)
 {
   return { values.data(), std::ssize(values) };
@@ -46,7 +38,7 @@ int HeightFit::unknowns(int degree)
 
 bool HeightFit::compute(const Patch& patch, const Vector3& normal, int degree)
 {
-  frame_ = frame_of(normal);
+  surface_.frame = frame_along(normal);
   degree_ = degree;
   size_ = patch.size;
   const int count = patch.count();
@@ -55,13 +47,13 @@ bool HeightFit::compute(const Patch& patch, const Vector3& normal, int degree)
   z_.resize(count);
   for (int k = 0; k < count; ++k)
   {
-    const Vector3 local = frame_ * patch.offset.row(k).transpose() / size_;
+    const Vector3 local = surface_.frame * patch.offset.row(k).transpose() / size_;
     x_[k] = local.x();
     y_[k] = local.y();
     z_[k] = degree > 2 ? local.z() : height_as_on_sphere(local.x(), local.y(), local.z());
   }
   return (degree == 1 ? determine_second_order(patch) : determine(patch, degree)) &&
-    slope_.allFinite();
+    surface_.slope.allFinite();
 }
 
 // The columns are weight · x, y, x², xy, y², x³ …: each one of the order below times x or y.
@@ -84,8 +76,8 @@ bool HeightFit::determine(const Patch& patch, int degree)
   if (!equations_.solve(rank_threshold))
     return false;
   const auto c = equations_.solution();
-  slope_ << c[0], c[1], 2 * c[2] / size_, c[3] / size_, 2 * c[4] / size_;
-  residual_ = size_ * equations_.residual() / as_vector(patch.weight).norm();
+  surface_.slope.head<2>() << c[0], c[1];
+  describe(patch, { c[2], c[3], c[4] }, equations_.residual(), equations_.leverages());
   return true;
 }
 
@@ -102,58 +94,38 @@ bool HeightFit::determine_second_order(const Patch& patch)
   const Eigen::MatrixXd inverse = least_norm(A, weight.asDiagonal(), rank_threshold).X;
   const auto z = as_vector(z_);
   second_order_ = scale.cwiseInverse().asDiagonal() * inverse;
-  const Vector3 c = second_order_ * z;
-  slope_ << 0, 0, 2 * c[0] / size_, c[1] / size_, 2 * c[2] / size_;
-  residual_ = size_ * (weight.asDiagonal() * z - A * (inverse * z)).norm() / weight.norm();
+  surface_.slope.head<2>().setZero();
+  std::vector<double> leverage(patch.count());
+  for (int k = 0; k < patch.count(); ++k)
+    leverage[k] = A.row(k).dot(inverse.col(k)) / weight[k];
+  describe(
+    patch, second_order_ * z, (weight.asDiagonal() * z - A * (inverse * z)).norm(), leverage);
   return second_order_.allFinite();
 }
 
-Vector3 HeightFit::normal() const
+// Of residuals r with weights w² noise σ leaves Σ w² r² = σ² Σ w² (1 − leverage) on average.
+void HeightFit::describe(const Patch& patch, const Vector3& second_order, double residual,
+  std::span<const double> leverage)
 {
-  return frame_.transpose() * Vector3(-slope_[0], -slope_[1], 1).normalized();
-}
-
-namespace
-{
-
-/// Of a height z(x, y): g the determinant of the metric, g^{ab} its inverse.
-struct Metric
-{
-  Metric(double zx, double zy)
-    : g(1 + zx * zx + zy * zy), xx((1 + zy * zy) / g), xy(-zx * zy / g), yy((1 + zx * zx) / g)
+  constexpr double hardly_any = 1e-6; // of the weights: the fit goes through its points
+  surface_.slope.tail<3>() << 2 * second_order[0], second_order[1], 2 * second_order[2];
+  surface_.slope.tail<3>() /= size_;
+  double weights = 0, free = 0;
+  for (int k = 0; k < patch.count(); ++k)
   {
+    const double square = patch.weight[k] * patch.weight[k];
+    weights += square;
+    free += square * (1 - leverage[k]);
   }
-  double g, xx, xy, yy;
-};
-
-/// g^{ab} z_ab
-double turn(const Metric& metric, const Eigen::Vector<double, 5>& slope)
-{
-  return metric.xx * slope[2] + 2 * metric.xy * slope[3] + metric.yy * slope[4];
+  residual_ = size_ * residual / std::sqrt(weights);
+  noise_ = free > hardly_any * weights ? size_ * residual / std::sqrt(free) : 0;
 }
 
-}
-
-// Monge patch: H = −½ g^{ab} z_ab/√g, K = det z_ab/g².
-double HeightFit::mean() const
-{
-  const Metric metric(slope_[0], slope_[1]);
-  return -0.5 * turn(metric, slope_) / std::sqrt(metric.g);
-}
-
-double HeightFit::gauss() const
-{
-  const double g = Metric(slope_[0], slope_[1]).g;
-  return (slope_[2] * slope_[4] - slope_[3] * slope_[3]) / (g * g);
-}
-
-// Δ_s f = (1/√g) ∂_a(√g g^{ab} ∂_b f) = g^{ab} (f_ab − z_ab ∇z·∇f/g), exact for the polynomials.
 std::span<const double> HeightFit::laplacian(const Patch& patch)
 {
-  const Metric metric(slope_[0], slope_[1]);
-  const double along = -turn(metric, slope_) / metric.g;
+  const Eigen::Vector<double, 5> l = surface_.laplacian();
   const double square = size_ * size_;
-  const Vector3 second(2 * metric.xx / square, 2 * metric.xy / square, 2 * metric.yy / square);
+  const Vector3 second(2 * l[2] / square, l[3] / square, 2 * l[4] / square);
   laplacian_.resize(patch.count());
   if (degree_ == 1)
   {
@@ -162,13 +134,24 @@ std::span<const double> HeightFit::laplacian(const Patch& patch)
     return laplacian_;
   }
   functional_.assign(unknowns(degree_), 0);
-  functional_[0] = along * slope_[0] / size_;
-  functional_[1] = along * slope_[1] / size_;
+  functional_[0] = l[0] / size_;
+  functional_[1] = l[1] / size_;
   std::copy_n(second.data(), 3, functional_.begin() + 2);
   const auto row = equations_.functional(functional_);
   std::transform(
     row.begin(), row.end(), patch.weight.begin(), laplacian_.begin(), std::multiplies<>());
   return laplacian_;
+}
+
+double HeightFit::mean_error(std::span<const double> laplacian) const
+{
+  double sum = 0, squares = 0;
+  for (const double l : laplacian)
+  {
+    sum += l;
+    squares += l * l;
+  }
+  return 0.5 * noise_ * std::sqrt(squares + sum * sum);
 }
 
 }

@@ -3,7 +3,7 @@
 // point, fitted to others around it.
 
 #include "solver/linear/SmallLeastSquares.h"
-#include "solver/mesh/TriangleMesh.h"
+#include "solver/surface/MongePatch.h"
 
 #include <span>
 #include <vector>
@@ -32,29 +32,31 @@ public:
   bool compute(const Patch& patch, const Vector3& normal, int degree);
   static int unknowns(int degree);
 
-  // At the vertex, after compute() was true:
+  // After compute() was true:
 
-  Vector3 normal() const;
-  double mean() const; ///< H, +1/R on a sphere with outward normals
-  double gauss() const;
+  const MongePatch& surface() const { return surface_; } ///< at the vertex
   /// Weighted root mean square distance of the points from the polynomial.
   double residual() const { return residual_; }
   /// The l of Δ_s f = Σ l_k (f_k − f), for a field given at the points of the same patch and at the
   /// vertex, to which a polynomial is fitted likewise. Valid until the next call of a member that isn't
   /// const.
   std::span<const double> laplacian(const Patch& patch);
+  /// Standard error of H if what the fit leaves over is noise, as large at every point and at the vertex
+  /// and independent. To a change of the heights H answers as −½ of what `laplacian` says, where the
+  /// slopes are small.
+  double mean_error(std::span<const double> laplacian) const;
 
 private:
   bool determine(const Patch& patch, int degree);
   bool determine_second_order(const Patch& patch);
+  void describe(const Patch& patch, const Vector3& second_order, double residual,
+    std::span<const double> leverage);
 
-  Eigen::Matrix3d frame_ = Eigen::Matrix3d::Identity(); ///< rows: x, y, z
   int degree_ = 0;
   double size_ = 0;
   std::vector<double> x_, y_, z_; ///< of the points in the frame, in sizes
-  Eigen::Vector<double, 5> slope_ =
-    Eigen::Vector<double, 5>::Zero(); ///< z_x, z_y, z_xx, z_xy, z_yy
-  double residual_ = 0;
+  MongePatch surface_;
+  double residual_ = 0, noise_ = 0;
   SmallLeastSquares equations_;
   Eigen::MatrixXd second_order_; ///< degree 1: values at the points → coefficients
   std::vector<double> functional_, laplacian_;

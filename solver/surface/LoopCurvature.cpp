@@ -93,7 +93,7 @@ private:
 
 }
 
-Curvature loop_curvature(const TriangleMesh& mesh, const Progress& progress)
+Curvature loop_curvature(const TriangleMesh& mesh, const ProgressCallback& progress)
 {
   const LoopBasis basis(mesh.triangles, static_cast<int>(mesh.points.rows()));
   const SparseMatrix P = basis.collocation();

@@ -1,8 +1,10 @@
 #include "Command.h"
 
+#include "solver/mesh/shapes/GeodesicSphere.h"
 #include "vtkfilters/Filters/MeshConversion.h"
 #include "vtkfilters/Filters/MeshFiles.h"
 
+#include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -11,6 +13,10 @@
 #include <nlohmann/json.hpp>
 
 #include <fstream>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace vesicle::test
 {
@@ -149,6 +155,51 @@ TEST(Curvature, WritesTheArraysAndTellsOfBorders)
   outcome = vesicle_command(folder.path(), { "curvature", "square.off", "-o", "square.vtu" });
   EXPECT_EQ(outcome.code, 0);
   EXPECT_NE(outcome.errors.find("undefined at 4 of 4"), std::string::npos) << outcome.errors;
+}
+
+// A sphere of 1,280 triangles with its points off by 1% of the radius, a fifteenth of an edge.
+TEST(Curvature, NamesARadiusForNoisyMeshes)
+{
+  const TemporaryFolder folder;
+  TriangleMesh mesh = geodesic_sphere(8);
+  std::mt19937 random(1);
+  std::normal_distribution<double> noise(0, 0.01);
+  for (auto x : mesh.points.rowwise())
+  {
+    x *= 1 + noise(random);
+  }
+  write_mesh(to_polydata(mesh), folder / "noisy.vtp");
+  auto outcome = vesicle_command(folder.path(), { "curvature", "noisy.vtp", "-o", "all.vtp" });
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  const std::string::size_type named = outcome.errors.find("--radius) of ");
+  ASSERT_NE(named, std::string::npos) << outcome.errors;
+  const std::string radius = std::to_string(std::stod(outcome.errors.substr(named + 13)));
+  outcome = vesicle_command(
+    folder.path(), { "curvature", "noisy.vtp", "--radius", radius, "--all", "-o", "all.vtp" });
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(outcome.errors, "");
+  const auto surface = read_mesh(folder / "all.vtp");
+  for (const char* name :
+    { "Mean_Curvature_Error", "Maximum_Curvature", "Minimum_Curvature", "Maximum_Direction",
+      "Minimum_Direction", "Curvedness", "Shape_Index", "Willmore_Density" })
+  {
+    EXPECT_TRUE(surface->GetPointData()->HasArray(name)) << name;
+  }
+  EXPECT_NEAR(surface->GetPointData()->GetArray("Mean_Curvature")->GetComponent(0, 0), 1, 0.15);
+  outcome = vesicle_command(
+    folder.path(), { "curvature", "noisy.vtp", "--rings", "4", "--no-force", "-o", "few.vtp" });
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_FALSE(read_mesh(folder / "few.vtp")->GetPointData()->HasArray("Bending_Force"));
+  for (const auto& [radii, text] :
+    { std::pair(std::vector<std::string>{ "--radius", "9" }, "a fit radius of 9 is too large"),
+      { { "--radius", "1", "--rings", "4" }, "--rings" }, { { "--radius", "0" }, "--radius" } })
+  {
+    std::vector<std::string> arguments{ "curvature", "noisy.vtp", "-o", "none.vtp" };
+    arguments.insert(arguments.end(), radii.begin(), radii.end());
+    outcome = vesicle_command(folder.path(), arguments);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.errors.find(text), std::string::npos) << outcome.errors;
+  }
 }
 
 }

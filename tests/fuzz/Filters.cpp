@@ -49,7 +49,8 @@ constexpr const char* array_names[] = { "Membrane_Force", "Gravity_Force", "Tens
 
 constexpr const char* computed_names[] = { "Gauss_Curvature", "Laplacian_Mean_Curvature",
   "Bending_Force", "Mean_Curvature", "Normals", "Velocity", "Fit_Residual", "Maximum_Curvature",
-  "Minimum_Curvature" };
+  "Minimum_Curvature", "Maximum_Direction", "Minimum_Direction", "Curvedness", "Shape_Index",
+  "Willmore_Density", "Mean_Curvature_Error" };
 
 /// Mostly an ordinary number, sometimes one that programs trip over.
 double any_number(Bytes& bytes)
@@ -249,6 +250,9 @@ void curvature(vtkPolyData* surface, Bytes settings)
   filter->SetScheme(settings.below(3));
   filter->SetCurvatureType(settings.below(4));
   filter->SetOrientOutward(settings.below(4) > 0);
+  filter->SetFitRadius(any_number(settings));
+  filter->SetPrincipalCurvatures(settings.below(2) > 0);
+  filter->SetShapeDescriptors(settings.below(2) > 0);
   update(filter);
 }
 

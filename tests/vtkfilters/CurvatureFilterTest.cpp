@@ -8,7 +8,10 @@
 
 #include "vtkCommand.h"
 #include "vtkCurvatures.h"
+#include "vtkDiscreteFlyingEdges3D.h"
 #include "vtkDoubleArray.h"
+#include "vtkFlyingEdges3D.h"
+#include "vtkImageData.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPlaneSource.h"
@@ -22,6 +25,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -60,20 +64,25 @@ double value(vtkPolyData* surface, const std::string& name, vtkIdType i)
   return array(surface, name)->GetComponent(i, 0);
 }
 
+void expect_finite_array(vtkPolyData* surface, const char* name)
+{
+  vtkDataArray* values = array(surface, name);
+  ASSERT_EQ(values->GetNumberOfTuples(), surface->GetNumberOfPoints()) << name;
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < values->GetNumberOfComponents(); ++c)
+    {
+      ASSERT_TRUE(std::isfinite(values->GetComponent(i, c))) << name << ' ' << i;
+    }
+  }
+}
+
 void expect_finite(vtkPolyData* surface)
 {
-  for (const char* name :
-    { "Mean_Curvature", "Gauss_Curvature", "Laplacian_Mean_Curvature", "Normals", "Bending_Force" })
+  for (const char* name : { "Mean_Curvature", "Gauss_Curvature", "Laplacian_Mean_Curvature",
+         "Normals", "Bending_Force", "Fit_Residual", "Mean_Curvature_Error" })
   {
-    vtkDataArray* values = array(surface, name);
-    ASSERT_EQ(values->GetNumberOfTuples(), surface->GetNumberOfPoints()) << name;
-    for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
-    {
-      for (int c = 0; c < values->GetNumberOfComponents(); ++c)
-      {
-        ASSERT_TRUE(std::isfinite(values->GetComponent(i, c))) << name << ' ' << i;
-      }
-    }
+    expect_finite_array(surface, name);
   }
 }
 
@@ -441,6 +450,193 @@ TEST(CurvatureFilter, DoesNotDependOnTheNumberOfThreads)
       }
     }
   }
+}
+
+namespace
+{
+
+constexpr double ball_radius = 60; // in voxels
+
+/// A ball as a segmented image has it, 1 inside and 0 outside, no voxel at its centre.
+vtkSmartPointer<vtkImageData> ball()
+{
+  constexpr int half = 63, size = 2 * half + 1;
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(size, size, size);
+  image->SetOrigin(-half - 0.13, -half + 0.27, -half - 0.41);
+  image->AllocateScalars(VTK_INT, 1);
+  auto* mask = static_cast<int*>(image->GetScalarPointer());
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    image->GetPoint(i, x);
+    mask[i] = x[0] * x[0] + x[1] * x[1] + x[2] * x[2] < ball_radius * ball_radius;
+  }
+  return image;
+}
+
+template<class Contour>
+vtkSmartPointer<vtkPolyData> contour(double value)
+{
+  vtkNew<Contour> filter;
+  filter->SetInputData(ball());
+  filter->SetValue(0, value);
+  filter->Update();
+  return filter->GetOutput();
+}
+
+/// Of H R, over all vertices.
+struct MeanCurvatureErrors
+{
+  double bias = 0, deviation = 0;
+};
+
+MeanCurvatureErrors errors_of(vtkPolyData* surface)
+{
+  const auto count = static_cast<double>(surface->GetNumberOfPoints());
+  MeanCurvatureErrors errors;
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    const double error = value(surface, "Mean_Curvature", i) * ball_radius - 1;
+    errors.bias += error / count;
+    errors.deviation += error * error / count;
+  }
+  errors.deviation = std::sqrt(errors.deviation - errors.bias * errors.bias);
+  return errors;
+}
+
+}
+
+// Vertices half-way between voxels inside and outside are off by 0.2 voxels (evenly spread within half a voxel along
+// one of three axes). Of n ≈ 680 that are independent, H of radius r deviates by 0.2 √48/(r² √n), a
+// thirtieth of 1/R here.
+TEST(CurvatureFilter, ABallOfVoxelsHasItsCurvatureAtALengthScale)
+{
+  for (const auto& surface :
+    { contour<vtkFlyingEdges3D>(0.5), contour<vtkDiscreteFlyingEdges3D>(1) })
+  {
+    EXPECT_NEAR(static_cast<double>(surface->GetNumberOfPolys()), 135752, 200);
+    const VtkMessages messages;
+    vtkNew<vtkVesicleCurvatureFilter> filter;
+    filter->SetInputData(surface);
+    filter->SetFitRadius(12);
+    filter->BendingForceOff();
+    filter->Update();
+    const MeanCurvatureErrors errors = errors_of(filter->GetOutput());
+    EXPECT_LT(std::abs(errors.bias), 0.02);
+    EXPECT_LT(errors.deviation, 0.05);
+    EXPECT_EQ(messages.first_warning(), "");
+    EXPECT_FALSE(filter->GetOutput()->GetPointData()->HasArray("Bending_Force"));
+    expect_finite_array(filter->GetOutput(), "Mean_Curvature_Error");
+  }
+}
+
+TEST(CurvatureFilter, NoiseIsAWarningThatNamesARadius)
+{
+  const auto surface = contour<vtkFlyingEdges3D>(0.5);
+  vtkNew<vtkVesicleCurvatureFilter> filter;
+  filter->SetInputData(surface);
+  filter->BendingForceOff();
+  const VtkMessages messages;
+  filter->Update();
+  EXPECT_GT(errors_of(filter->GetOutput()).deviation, 10) << "all noise";
+  const std::string text = messages.first_warning();
+  ASSERT_NE(text.find("--radius) of "), std::string::npos) << text;
+  const double radius = std::stod(text.substr(text.find("--radius) of ") + 13));
+  filter->SetFitRadius(radius);
+  filter->Update();
+  // The error that it names, a third more as staircases' errors aren't independent.
+  EXPECT_NEAR(errors_of(filter->GetOutput()).deviation, 0.03 * 4 / 3, 0.015) << text;
+  EXPECT_EQ(messages.warnings().size(), 1U) << "one, for the first";
+}
+
+TEST(CurvatureFilter, ASmoothMeshIsNoWarning)
+{
+  const VtkMessages messages;
+  with_curvature(sphere());
+  EXPECT_EQ(messages.first_warning(), "");
+}
+
+TEST(CurvatureFilter, TheRadiusInMeanEdges)
+{
+  vtkNew<vtkVesicleCurvatureFilter> filter;
+  const TriangleMesh mesh = geodesic_sphere(16);
+  filter->SetInputData(to_polydata(mesh));
+  filter->SetFitRings(4);
+  filter->Update();
+  EXPECT_EQ(value(filter->GetOutput(), "Fit_Degree", 0), 2);
+  const vtkSmartPointer<vtkPolyData> by_rings = filter->GetOutput();
+  double edges = 0; // each from both sides
+  for (const auto t : mesh.triangles.rowwise())
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      edges += (mesh.points.row(t[k]) - mesh.points.row(t[(k + 1) % 3])).norm();
+    }
+  }
+  vtkNew<vtkVesicleCurvatureFilter> by_length;
+  by_length->SetInputData(to_polydata(mesh));
+  by_length->SetFitRadius(4 * edges / static_cast<double>(mesh.triangles.size()));
+  by_length->Update();
+  for (vtkIdType i = 0; i < by_rings->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_NEAR(value(by_rings, "Mean_Curvature", i),
+      value(by_length->GetOutput(), "Mean_Curvature", i), 1e-9);
+  }
+  filter->SetFitRadius(5); // the mesh's box has half a diagonal of 1.7
+  const VtkMessages messages;
+  filter->Update();
+  EXPECT_NE(messages.first_error().find("a fit radius of 5 is too large"), std::string::npos);
+}
+
+// On a torus the circle around the tube is the more curved one.
+TEST(CurvatureFilter, PrincipalDirectionsAndShapeDescriptors)
+{
+  const TriangleMesh torus = test::clifford_torus(96, 64); // ρ = √2 + cos v
+  for (const bool inverted : { false, true })
+  {
+    vtkNew<vtkVesicleCurvatureFilter> filter;
+    filter->SetInputData(to_polydata(torus));
+    filter->PrincipalCurvaturesOn();
+    filter->ShapeDescriptorsOn();
+    filter->SetInvertMeanCurvature(inverted);
+    filter->Update();
+    const auto surface = filter->GetOutput();
+    const double sign = inverted ? -1 : 1;
+    for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+    {
+      const Vector3 x = torus.points.row(i);
+      const double rho = std::hypot(x[0], x[1]), around = (rho - std::sqrt(2)) / rho;
+      const char* const tube[] = { "Maximum_Curvature", "Minimum_Curvature" };
+      EXPECT_NEAR(value(surface, tube[inverted], i), sign, 0.02);
+      EXPECT_NEAR(value(surface, tube[!inverted], i), sign * around, 0.02);
+      EXPECT_NEAR(value(surface, "Curvedness", i), std::sqrt((1 + around * around) / 2), 0.02);
+      EXPECT_NEAR(value(surface, "Shape_Index", i),
+        sign * 2 / std::numbers::pi * std::atan((1 + around) / (1 - around)), 0.02);
+      EXPECT_NEAR(value(surface, "Willmore_Density", i), std::pow((1 + around) / 2, 2), 0.02);
+      double along[3];
+      array(surface, inverted ? "Maximum_Direction" : "Minimum_Direction")->GetTuple(i, along);
+      const Vector3 circle = Vector3(-x[1], x[0], 0) / rho;
+      EXPECT_GT(std::abs(circle.dot(Vector3(along[0], along[1], along[2]))), 0.999);
+    }
+  }
+}
+
+TEST(CurvatureFilter, ProgressAndAbortAtALengthScale)
+{
+  vtkNew<vtkVesicleCurvatureFilter> filter;
+  filter->SetInputData(to_polydata(geodesic_sphere(50)));
+  filter->SetFitRadius(0.2);
+  ProgressNotes notes;
+  filter->AddObserver(vtkCommand::ProgressEvent, &notes, &ProgressNotes::note);
+  filter->Update();
+  EXPECT_TRUE(std::is_sorted(notes.shares.begin(), notes.shares.end()));
+  EXPECT_EQ(notes.shares.back(), 1);
+  EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);
+  notes.stop_at = 0.5;
+  filter->Modified();
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
 }
 
 }

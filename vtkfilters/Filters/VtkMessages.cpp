@@ -3,6 +3,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
 
+#include <algorithm>
+
 namespace vesicle
 {
 namespace
@@ -15,13 +17,7 @@ public:
   vtkTypeMacro(Collector, vtkOutputWindow);
 
   void DisplayText(const char*) override {}
-  void DisplayWarningText(const char* text) override
-  {
-    if (first_warning.empty())
-    {
-      first_warning = text;
-    }
-  }
+  void DisplayWarningText(const char* text) override { warnings.emplace_back(text); }
   void DisplayGenericWarningText(const char*) override {}
   void DisplayDebugText(const char*) override {}
   void DisplayErrorText(const char* text) override
@@ -33,7 +29,7 @@ public:
   }
 
   std::string first_error;
-  std::string first_warning;
+  std::vector<std::string> warnings;
 };
 vtkStandardNewMacro(Collector);
 
@@ -75,7 +71,15 @@ bool VtkMessages::any_error() const
 
 std::string VtkMessages::first_warning() const
 {
-  return what_happened(static_cast<Collector*>(collector_.Get())->first_warning);
+  const auto all = warnings();
+  return all.empty() ? "" : all.front();
+}
+
+std::vector<std::string> VtkMessages::warnings() const
+{
+  std::vector<std::string> result = static_cast<Collector*>(collector_.Get())->warnings;
+  std::transform(result.begin(), result.end(), result.begin(), what_happened);
+  return result;
 }
 
 std::string VtkMessages::first_error() const

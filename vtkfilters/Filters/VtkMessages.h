@@ -8,6 +8,7 @@
 
 #include <mutex>
 #include <string>
+#include <vector>
 
 class vtkOutputWindow;
 
@@ -28,6 +29,7 @@ public:
   /// What happened, in one line; empty: nothing.
   std::string first_error() const;
   std::string first_warning() const;
+  std::vector<std::string> warnings() const;
 
 private:
   std::unique_lock<std::recursive_mutex> lock_;

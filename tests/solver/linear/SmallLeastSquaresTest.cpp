@@ -60,6 +60,8 @@ TEST(SmallLeastSquares, IsTheSolutionByReflections)
       qr.solve(Eigen::MatrixXd::Identity(rows, rows)).transpose() * g;
     ASSERT_EQ(w.size(), rows);
     EXPECT_LT((w - expected).norm(), 1e-11 * expected.norm()) << rows;
+    const Eigen::VectorXd hat = (A * qr.solve(Eigen::MatrixXd::Identity(rows, rows))).diagonal();
+    EXPECT_LT((vector(equations.leverages()) - hat).norm(), 1e-11) << rows;
   }
 }
 

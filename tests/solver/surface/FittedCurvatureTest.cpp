@@ -1,5 +1,6 @@
-// Not covered: meshes with noise in their points (scans), where fits of fourth order amplify it.
+// Meshes of segmented images: tests/vtkfilters/CurvatureFilterTest.cpp.
 #include "solver/surface/FittedCurvature.h"
+#include "solver/Errors.h"
 #include "solver/membrane/HelfrichBending.h"
 #include "solver/mesh/shapes/GeodesicSphere.h"
 #include "solver/stokes/BendingVelocityError.h"
@@ -324,12 +325,106 @@ TEST(FittedCurvature, TellsItsProgressAndCanBeEnded)
   const TriangleMesh mesh = geodesic_sphere(50); // some blocks of vertices
   const Connectivity connectivity(mesh.triangles, static_cast<int>(mesh.points.rows()));
   std::vector<double> shares;
-  fitted_curvature(mesh, connectivity, [&](double share) { shares.push_back(share); });
+  fitted_curvature(mesh, connectivity, {}, [&](double share) { shares.push_back(share); });
   EXPECT_GT(shares.size(), 4U);
   EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
   EXPECT_EQ(shares.back(), 1);
   const auto stop = [](double) { throw std::runtime_error("stop"); };
-  EXPECT_THROW(fitted_curvature(mesh, connectivity, stop), std::runtime_error);
+  EXPECT_THROW(fitted_curvature(mesh, connectivity, {}, stop), std::runtime_error);
+}
+
+FittedCurvature fitted_at(const TriangleMesh& mesh, double radius)
+{
+  return fitted_curvature(
+    mesh, { mesh.triangles, static_cast<int>(mesh.points.rows()) }, { radius, true });
+}
+
+// Smooth: what is left is the bias, of second order in the radius but on spheres and cylinders.
+TEST(FittedCurvature, AtALengthScale)
+{
+  const auto bias = [](double radius)
+  {
+    const TriangleMesh mesh = mapped(jittered_sphere(32, 0.3), test::ellipsoid_2_1_1);
+    const FittedCurvature fit = fitted_at(mesh, radius);
+    EXPECT_EQ(fit.degree, Eigen::VectorXi::Constant(mesh.points.rows(), 2));
+    return errors_on(mesh, fit, false, spheroid);
+  };
+  const Errors wide = bias(0.4), narrow = bias(0.2);
+  record("H_0.4", wide.mean);
+  record("H_0.2", narrow.mean);
+  record("LapH_0.2", narrow.laplacian);
+  EXPECT_LT(narrow.mean, 0.03);
+  EXPECT_GT(test::order(wide.mean, narrow.mean), 1.5);
+  EXPECT_GT(test::order(wide.laplacian, narrow.laplacian), 1);
+  const FittedCurvature sphere = fitted_at(geodesic_sphere(32), 0.5);
+  EXPECT_LT((sphere.curvature.mean.array() - 1).abs().maxCoeff(), 1e-3);
+}
+
+TEST(FittedCurvature, AtALengthScaleIsInvariantUnderMotionAndScaling)
+{
+  const TriangleMesh mesh = mapped(jittered_sphere(12, 0.3), test::paper_surface);
+  const FittedCurvature fit = fitted_at(mesh, 0.5);
+  const double scale = 2e-6;
+  const Eigen::Matrix3d rotation =
+    Eigen::AngleAxisd(1.1, Vector3(1, 2, -3).normalized()).toRotationMatrix();
+  TriangleMesh moved = mesh;
+  moved.points =
+    (scale * mesh.points * rotation.transpose()).rowwise() + Eigen::RowVector3d(3e-6, -2e-6, 5e-6);
+  const FittedCurvature m = fitted_at(moved, scale * 0.5);
+  EXPECT_LT((scale * m.curvature.mean - fit.curvature.mean).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LT((scale * m.mean_error - fit.mean_error).cwiseAbs().maxCoeff(), 1e-9);
+  for (int i = 0; i < mesh.points.rows(); ++i)
+  {
+    const Vector3 turned = rotation * fit.direction.row(i).transpose();
+    EXPECT_LT(m.direction.row(i).transpose().cross(turned).norm(), 1e-6);
+  }
+}
+
+TEST(FittedCurvature, AtALengthScaleDoesNotDependOnTheNumberOfThreads)
+{
+  const TriangleMesh mesh = mapped(jittered_sphere(12, 0.3), test::paper_surface);
+  const FittedCurvature many = fitted_at(mesh, 0.3);
+  const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+  const FittedCurvature single = fitted_at(mesh, 0.3);
+  EXPECT_EQ(many.curvature.mean, single.curvature.mean);
+  EXPECT_EQ(many.curvature.gauss, single.curvature.gauss);
+  EXPECT_EQ(many.curvature.laplacian_mean, single.curvature.laplacian_mean);
+  EXPECT_EQ(many.direction, single.direction);
+  EXPECT_EQ(many.mean_error, single.mean_error);
+}
+
+// A disc of thickness 0.1 and rim radius 1: the other side is within the radius and doesn't count.
+TEST(FittedCurvature, AtALengthScaleSidesOfAThinSheetAreApart)
+{
+  const TriangleMesh mesh = mapped(geodesic_sphere(32),
+    [](const Vector3& x) -> Vector3 {
+      return { x[0], x[1], 0.05 * x[2] };
+    });
+  const FittedCurvature fit = fitted_at(mesh, 0.3);
+  for (int i = 0; i < mesh.points.rows(); ++i)
+  {
+    if (mesh.points.row(i).head<2>().norm() < 0.5)
+    {
+      // The ellipsoid's H is 0.05 on the axis and 0.1 at 0.5.
+      EXPECT_GT(fit.curvature.mean[i], 0.04);
+      EXPECT_LT(fit.curvature.mean[i], 0.15);
+      EXPECT_GT(fit.curvature.normal(i, 2) * mesh.points(i, 2), 0);
+    }
+  }
+}
+
+TEST(FittedCurvature, BelowTheMeshsLengthScaleTheNearestStandIn)
+{
+  const TriangleMesh mesh = mapped(jittered_sphere(5, 0.3), test::ellipsoid_2_1_1);
+  const FittedCurvature nearest = fitted_curvature(mesh), fit = fitted_at(mesh, 0.05);
+  EXPECT_EQ(fit.degree, nearest.degree);
+  EXPECT_EQ(fit.curvature.mean, nearest.curvature.mean);
+  EXPECT_EQ(fit.curvature.laplacian_mean, nearest.curvature.laplacian_mean);
+}
+
+TEST(FittedCurvature, ARadiusAsLargeAsTheMeshIsAnError)
+{
+  EXPECT_THROW(fitted_at(geodesic_sphere(4), 2), InputError);
 }
 
 bool all_finite(const FittedCurvature& fit)

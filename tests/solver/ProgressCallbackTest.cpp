@@ -1,4 +1,4 @@
-#include "solver/Progress.h"
+#include "solver/ProgressCallback.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 namespace vesicle::test
 {
 
-TEST(Progress, EveryCallIsMadeOnceAndTheShareRisesToOne)
+TEST(ProgressCallback, EveryCallIsMadeOnceAndTheShareRisesToOne)
 {
   std::vector<int> calls(107, 0);
   std::vector<double> shares;
@@ -22,10 +22,10 @@ TEST(Progress, EveryCallIsMadeOnceAndTheShareRisesToOne)
   EXPECT_EQ(shares.back(), 1);
 }
 
-TEST(Progress, APartHasItsOwnRange)
+TEST(ProgressCallback, APartHasItsOwnRange)
 {
   double told = 0;
-  const Progress half = part_of([&](double share) { told = share; }, 0.5, 0.75);
+  const ProgressCallback half = part_of([&](double share) { told = share; }, 0.5, 0.75);
   half(0);
   EXPECT_EQ(told, 0.5);
   half(1);
@@ -33,7 +33,7 @@ TEST(Progress, APartHasItsOwnRange)
   EXPECT_FALSE(part_of({}, 0, 1)) << "nobody asks";
 }
 
-TEST(Progress, WhatItThrowsEndsTheWork)
+TEST(ProgressCallback, WhatItThrowsEndsTheWork)
 {
   std::atomic<int> calls = 0;
   const auto stop = [](double) { throw std::runtime_error("stop"); };

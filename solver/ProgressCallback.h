@@ -11,10 +11,10 @@ namespace vesicle
 
 /// Told the share of the work that is done, 0 to 1, never less than before, on the thread that asked
 /// for the work. What it throws ends the work and is passed on. Empty: nobody asks.
-using Progress = std::function<void(double share)>;
+using ProgressCallback = std::function<void(double share)>;
 
 /// The part of a larger work that goes from share `from` to share `to`.
-inline Progress part_of(const Progress& whole, double from, double to)
+inline ProgressCallback part_of(const ProgressCallback& whole, double from, double to)
 {
   if (!whole)
     return {};
@@ -23,7 +23,7 @@ inline Progress part_of(const Progress& whole, double from, double to)
 
 /// parallel_for over 0 to count − 1, `part` of them at a time; the progress is told in between.
 template<typename Body>
-void parallel_for_in_parts(int count, int part, const Progress& progress, const Body& body)
+void parallel_for_in_parts(int count, int part, const ProgressCallback& progress, const Body& body)
 {
   for (int first = 0; first < count; first += part)
   {
