@@ -9,8 +9,8 @@
 namespace vesicle
 {
 
-/// Told the share of the work that is done, 0 to 1, never less than before, on the thread that asked
-/// for the work. What it throws ends the work and is passed on. Empty: nobody asks.
+/// Told the share of the work that is done, 0 to 1, never less than before, on the thread that
+/// asked for the work. What it throws ends the work and is passed on. Empty: nobody asks.
 using ProgressCallback = std::function<void(double share)>;
 
 /// The part of a larger work that goes from share `from` to share `to`.

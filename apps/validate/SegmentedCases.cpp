@@ -95,7 +95,8 @@ SegmentedBody saddle(double R)
     [R](const Vector3& x) { return turned(x).head<2>().norm() < 0.4 * R; } };
 }
 
-/// The mask's isosurface, its vertices half-way between voxels inside and outside; it faces outward.
+/// The mask's isosurface, its vertices half-way between voxels inside and outside; it faces
+/// outward.
 TriangleMesh isosurface_of(const SegmentedBody& body)
 {
   const Vector3 origin(0.13, -0.27, 0.41); // of the body among the voxels: no symmetry

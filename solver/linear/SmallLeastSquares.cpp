@@ -91,10 +91,10 @@ VESICLE_INLINE void take_out(
   }
 }
 
-/// Makes the first `count` columns orthonormal, in the order of how much of their length is left, and
-/// takes what they span out of the one after them. `order` goes on with that one and as many zero
-/// columns as a last four may need; `left` are squared shares of the lengths, R has a row a column
-/// chosen. False as SmallLeastSquares::solve.
+/// Makes the first `count` columns orthonormal, in the order of how much of their length is left,
+/// and takes what they span out of the one after them. `order` goes on with that one and as many
+/// zero columns as a last four may need; `left` are squared shares of the lengths, R has a row a
+/// column chosen. False as SmallLeastSquares::solve.
 VESICLE_MULTIVERSION
 bool orthonormalize(const Columns& A, int count, double threshold, int* order, double* length,
   double* left, double* R)

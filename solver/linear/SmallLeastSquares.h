@@ -8,8 +8,8 @@ namespace vesicle
 {
 
 /// Least |A x − b| by modified Gram–Schmidt with column pivoting, b orthogonalised with the columns
-/// of A, which is as stable as reflections (Å. Björck, BIT 7 (1967) 1). Keeps its memory from one to the
-/// next; loops run down the columns, as wide as the processor's registers.
+/// of A, which is as stable as reflections (Å. Björck, BIT 7 (1967) 1). Keeps its memory from one
+/// to the next; loops run down the columns, as wide as the processor's registers.
 class SmallLeastSquares
 {
 public:
@@ -25,8 +25,8 @@ public:
   std::span<const double> solution() const { return solution_; }
   /// |A x − b|.
   double residual() const { return residual_; }
-  /// The w of wᵀb = gᵀx: how a functional of the solution, `unknowns` numbers, follows from the right
-  /// side. Valid until the next call of a member that isn't const.
+  /// The w of wᵀb = gᵀx: how a functional of the solution, `unknowns` numbers, follows from the
+  /// right side. Valid until the next call of a member that isn't const.
   std::span<const double> functional(std::span<const double> g);
   /// How much of each entry of b its own fitted value takes: the diagonal of A (AᵀA)⁻¹ Aᵀ, of sum
   /// `unknowns`. As functional().

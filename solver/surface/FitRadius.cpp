@@ -49,8 +49,8 @@ struct Sample
   }
 };
 
-/// Vertices spread over the mesh and their fits at one radius after the other. As they are for a first
-/// judgement, they don't look which way their points face.
+/// Vertices spread over the mesh and their fits at one radius after the other. As they are for a
+/// first judgement, they don't look which way their points face.
 class SampleFits
 {
 public:

@@ -19,14 +19,14 @@ namespace vesicle
 namespace
 {
 
-// Vertices that a thread fits one after the other, and how many such blocks are done between two words
-// of progress, some hundredths of a second.
+// Vertices that a thread fits one after the other, and how many such blocks are done between two
+// words of progress, some hundredths of a second.
 constexpr int block_size = 64, blocks_at_once = 64;
 // The same of vertices at a length scale, in clusters.
 constexpr int vertices_at_once = 4096, least_clusters_at_once = 16;
 
-/// Of successive vertices: Δ_s f = Σ_k weight_k (f(neighbour_k) − f(vertex)), k from one start to the
-/// next.
+/// Of successive vertices: Δ_s f = Σ_k weight_k (f(neighbour_k) − f(vertex)), k from one start to
+/// the next.
 struct LaplacianRows
 {
   std::vector<int> start{ 0 };

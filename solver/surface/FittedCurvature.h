@@ -37,9 +37,9 @@ namespace vesicle
 
 struct FitOptions
 {
-  /// Of the neighbourhood that a vertex is fitted to, a length: above the noise of the points, below
-  /// the radii of curvature (ScaleFit.h). Time grows as its square. 0: the nearest vertices, for
-  /// smooth meshes.
+  /// Of the neighbourhood that a vertex is fitted to, a length: above the noise of the points,
+  /// below the radii of curvature (ScaleFit.h). Time grows as its square. 0: the nearest vertices,
+  /// for smooth meshes.
   double radius = 0;
   /// Whether Δ_s H is wanted, which with a radius takes as long as all else.
   bool laplacian = true;
@@ -57,9 +57,9 @@ struct FittedCurvature
   /// Weighted root mean square distance of the neighbours from the fitted surface, in mean edge
   /// lengths at the vertex.
   Eigen::VectorXd residual;
-  /// Of the fitted polynomials: 4; 3, 2 where neighbours are few or in line, 2 with a radius; 1 where even fewer
-  /// (second-order terms alone); 0 where nothing is known (no triangle of positive area, or normals
-  /// that cancel) and everything is zero.
+  /// Of the fitted polynomials: 4; 3, 2 where neighbours are few or in line, 2 with a radius; 1
+  /// where even fewer (second-order terms alone); 0 where nothing is known (no triangle of positive
+  /// area, or normals that cancel) and everything is zero.
   Eigen::VectorXi degree;
   /// 1 at the ends of edges that don't have two triangles: fits are one-sided (or the surface
   /// branches) there, and less accurate.

@@ -21,14 +21,14 @@ struct Patch
   int count() const { return static_cast<int>(weight.size()); }
 };
 
-/// z(x, y) = Σ c_ab x^a y^b, 1 ≤ a + b ≤ degree, weighted least squares. Keeps its memory from one fit
-/// to the next.
+/// z(x, y) = Σ c_ab x^a y^b, 1 ≤ a + b ≤ degree, weighted least squares. Keeps its memory from one
+/// fit to the next.
 class HeightFit
 {
 public:
-  /// Degree 4, 3, 2, or 1, which stands for the second-order terms alone, the tangent plane being the
-  /// normal's. False where the points don't determine all the terms (those of degree 1 are then the
-  /// smallest possible).
+  /// Degree 4, 3, 2, or 1, which stands for the second-order terms alone, the tangent plane being
+  /// the normal's. False where the points don't determine all the terms (those of degree 1 are then
+  /// the smallest possible).
   bool compute(const Patch& patch, const Vector3& normal, int degree);
   static int unknowns(int degree);
 
@@ -38,12 +38,12 @@ public:
   /// Weighted root mean square distance of the points from the polynomial.
   double residual() const { return residual_; }
   /// The l of Δ_s f = Σ l_k (f_k − f), for a field given at the points of the same patch and at the
-  /// vertex, to which a polynomial is fitted likewise. Valid until the next call of a member that isn't
-  /// const.
+  /// vertex, to which a polynomial is fitted likewise. Valid until the next call of a member that
+  /// isn't const.
   std::span<const double> laplacian(const Patch& patch);
-  /// Standard error of H if what the fit leaves over is noise, as large at every point and at the vertex
-  /// and independent. To a change of the heights H answers as −½ of what `laplacian` says, where the
-  /// slopes are small.
+  /// Standard error of H if what the fit leaves over is noise, as large at every point and at the
+  /// vertex and independent. To a change of the heights H answers as −½ of what `laplacian` says,
+  /// where the slopes are small.
   double mean_error(std::span<const double> laplacian) const;
 
 private:

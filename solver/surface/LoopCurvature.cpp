@@ -16,11 +16,12 @@ namespace vesicle
 namespace
 {
 
-// Elements that a thread evaluates at once, and how many such blocks are kept until they are added up.
+// Elements that a thread evaluates at once, and how many such blocks are kept until they are added
+// up.
 constexpr int block_size = 64, blocks_at_once = 64;
 
-/// A⁻¹ b of a symmetric, well-conditioned matrix, by conjugate gradients: 30 to 100 iterations for the
-/// matrices here, whatever their size.
+/// A⁻¹ b of a symmetric, well-conditioned matrix, by conjugate gradients: 30 to 100 iterations for
+/// the matrices here, whatever their size.
 Eigen::MatrixXd solve(const SparseMatrix& A, const Eigen::MatrixXd& b)
 {
   constexpr double tolerance = 1e-14; // of the residual

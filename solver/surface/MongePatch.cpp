@@ -56,8 +56,8 @@ double MongePatch::gauss() const
   return (slope[2] * slope[4] - slope[3] * slope[3]) / (g * g);
 }
 
-// The normal curvature along the tangent T a, T of columns x + z_x z and y + z_y z, is aᵀ B a over its squared
-// length aᵀ TᵀT a, B = −z_ab/√g; T⁺ leads from tangents to their a.
+// The normal curvature along the tangent T a, T of columns x + z_x z and y + z_y z, is aᵀ B a over
+// its squared length aᵀ TᵀT a, B = −z_ab/√g; T⁺ leads from tangents to their a.
 Eigen::Matrix3d MongePatch::shape() const
 {
   Eigen::Matrix<double, 3, 2> T;

@@ -16,8 +16,8 @@ struct MongePatch
   Vector3 normal() const;
   double mean() const;  ///< H
   double gauss() const; ///< K
-  /// Unit tangent along which the normal curvature is greatest, with its largest component positive;
-  /// normal() × it is that of the least. Any tangent where they are equal.
+  /// Unit tangent along which the normal curvature is greatest, with its largest component
+  /// positive; normal() × it is that of the least. Any tangent where they are equal.
   Vector3 direction() const;
   /// The shape operator as a symmetric matrix in space: κ1 t1 t1ᵀ + κ2 t2 t2ᵀ.
   Eigen::Matrix3d shape() const;

@@ -12,8 +12,8 @@ namespace vesicle
 namespace
 {
 
-// Twice the 14 unknowns of a quartic through the vertex are asked for; on a regular mesh these are three
-// rings, of which the weights favour two.
+// Twice the 14 unknowns of a quartic through the vertex are asked for; on a regular mesh these are
+// three rings, of which the weights favour two.
 constexpr int fewest_rings = 2, most_rings = 8, wanted_neighbours = 28;
 // The two rings of a regular vertex give the local size σ; weights are exp(−decay d²/σ²).
 constexpr int size_neighbours = 18;

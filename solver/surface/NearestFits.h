@@ -1,6 +1,7 @@
 #pragma once
-// The fits of all vertices of a mesh to their nearest neighbours (HeightFit.h): for smooth meshes, of which
-// they tell most. What is asked for and by what it was measured is told by FittedCurvature.h.
+// The fits of all vertices of a mesh to their nearest neighbours (HeightFit.h): for smooth meshes,
+// of which they tell most. What is asked for and by what it was measured is told by
+// FittedCurvature.h.
 
 #include "solver/mesh/Connectivity.h"
 #include "solver/surface/HeightFit.h"
@@ -24,8 +25,8 @@ public:
     Patch patch;
     HeightFit fit;
   };
-  /// The degree of the fit of vertex i that the workspace then holds, to the points that its search has
-  /// found; 0: there is none.
+  /// The degree of the fit of vertex i that the workspace then holds, to the points that its search
+  /// has found; 0: there is none.
   int fit(int i, Workspace& work) const;
 
 private:

@@ -20,8 +20,8 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 // Terms that the points, within a radius of 1, don't tell apart.
 constexpr double least_pivot = 1e-9;
 
-/// Sums over the points: of the products of the terms 1, u, v, u², uv, v², of these times the heights, of
-/// the heights squared.
+/// Sums over the points: of the products of the terms 1, u, v, u², uv, v², of these times the
+/// heights, of the heights squared.
 struct Sums
 {
   double one, u, v, uu, uv, vv, uuu, uuv, uvv, vvv, uuuu, uuuv, uuvv, uvvv, vvvv;
@@ -76,8 +76,8 @@ void project(int n, const double* x, const double* y, const double* z,
     to[i] = start + a * x[i] + b * y[i] + c * z[i];
 }
 
-/// Heights w become w (1 − |∇w|²/4): |∇w|² = (κ² + τ²) r² in a direction of normal curvature κ and geodesic
-/// torsion τ, with κ r² = 2 w and, of shape operator S, τ r² = S x · Jx, J a quarter turn.
+/// Heights w become w (1 − |∇w|²/4): |∇w|² = (κ² + τ²) r² in a direction of normal curvature κ and
+/// geodesic torsion τ, with κ r² = 2 w and, of shape operator S, τ r² = S x · Jx, J a quarter turn.
 VESICLE_MULTIVERSION
 void straighten(int n, const double* u, const double* v, const Eigen::Matrix2d& S, double* w)
 {

@@ -13,8 +13,9 @@ namespace
 
 // Twice the six unknowns.
 constexpr int fewest_points = 12;
-// The part of the radius over which area vectors are added up, and the least cosine between the sums of two
-// vertices that are fitted together; those of two in neighbourhoods of a cluster may differ more.
+// The part of the radius over which area vectors are added up, and the least cosine between the
+// sums of two vertices that are fitted together; those of two in neighbourhoods of a cluster may
+// differ more.
 constexpr double normal_share = 1. / 3, least_cosine = 0.3, least_cosine_in_cluster = 0;
 // A cluster's radius: its vertices' neighbourhoods have most points in common.
 constexpr double cluster_share = 1. / 4;

@@ -10,10 +10,10 @@
 namespace vesicle
 {
 
-/// A vertex' points are those within the radius that face as it does and are connected with it not much
-/// farther away. How a vertex faces is the direction of the area vectors within a third of the radius, added
-/// up: of a staircase as of the surface that it follows. The search for points is done once for a cluster of
-/// vertices.
+/// A vertex' points are those within the radius that face as it does and are connected with it not
+/// much farther away. How a vertex faces is the direction of the area vectors within a third of the
+/// radius, added up: of a staircase as of the surface that it follows. The search for points is
+/// done once for a cluster of vertices.
 class ScaleFits
 {
 public:
@@ -34,8 +34,8 @@ public:
   };
   /// Collects what the fits of a cluster's vertices, which come next, need.
   void begin(int cluster, Workspace& work) const;
-  /// The fit of vertex i in the workspace; false where it has fewer than twelve points or they don't
-  /// determine it.
+  /// The fit of vertex i in the workspace; false where it has fewer than twelve points or they
+  /// don't determine it.
   bool fit(int i, Workspace& work) const;
   /// Δ_s f at vertex i of a field given at all vertices; `normal` is that of its fit.
   double laplacian(

@@ -10,8 +10,8 @@
 namespace vesicle
 {
 
-/// Each vertex is in one cluster: those within `radius` of the cluster's first vertex that are connected to it
-/// through others of the cluster and were in none before, at most a few hundred.
+/// Each vertex is in one cluster: those within `radius` of the cluster's first vertex that are
+/// connected to it through others of the cluster and were in none before, at most a few hundred.
 class VertexClusters
 {
 public:

@@ -1,5 +1,5 @@
-// A surface as a pipeline may hand it over, and a filter that takes it: an error and an empty output,
-// or an output that can be worked with, whose computed arrays are finite.
+// A surface as a pipeline may hand it over, and a filter that takes it: an error and an empty
+// output, or an output that can be worked with, whose computed arrays are finite.
 //
 // The first byte chooses the filter, the second its settings; from the rest the surface is made,
 // step by step.

@@ -507,9 +507,9 @@ MeanCurvatureErrors errors_of(vtkPolyData* surface)
 
 }
 
-// Vertices half-way between voxels inside and outside are off by 0.2 voxels (evenly spread within half a voxel along
-// one of three axes). Of n ≈ 680 that are independent, H of radius r deviates by 0.2 √48/(r² √n), a
-// thirtieth of 1/R here.
+// Vertices half-way between voxels inside and outside are off by 0.2 voxels (evenly spread within
+// half a voxel along one of three axes). Of n ≈ 680 that are independent, H of radius r deviates by
+// 0.2 √48/(r² √n), a thirtieth of 1/R here.
 TEST(CurvatureFilter, ABallOfVoxelsHasItsCurvatureAtALengthScale)
 {
   for (const auto& surface :

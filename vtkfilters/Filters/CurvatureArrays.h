@@ -21,9 +21,9 @@ struct CurvatureSettings
   bool bending_force, principal_curvatures, shape_descriptors;
 };
 
-/// Adds them for a mesh that may have neither points nor triangles, and whose triangles' orientation
-/// counts. Returns what is to be said of their quality; empty: nothing. Throws InputError where the mesh doesn't take
-/// the scheme or the radius.
+/// Adds them for a mesh that may have neither points nor triangles, and whose triangles'
+/// orientation counts. Returns what is to be said of their quality; empty: nothing. Throws
+/// InputError where the mesh doesn't take the scheme or the radius.
 std::string add_curvature_arrays(const TriangleMesh& mesh, const CurvatureSettings& settings,
   const ProgressCallback& progress, vtkPointData* arrays);
 

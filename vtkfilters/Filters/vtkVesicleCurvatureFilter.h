@@ -6,17 +6,17 @@
  * triangles first; vertices and lines are dropped; all other arrays pass through):
  *
  * - Mean_Curvature H and Gauss_Curvature K; with PrincipalCurvatures, or CurvatureType Maximum or
- * Minimum, also Maximum_Curvature and Minimum_Curvature, κ1 ≥ κ2 = H ± √(H² − K). Names, CurvatureType (which makes one of
- * them the active scalars) and InvertMeanCurvature are those of vtkCurvatures, whose place the
- * filter takes in a pipeline by its class name alone.
+ * Minimum, also Maximum_Curvature and Minimum_Curvature, κ1 ≥ κ2 = H ± √(H² − K). Names,
+ * CurvatureType (which makes one of them the active scalars) and InvertMeanCurvature are those of
+ * vtkCurvatures, whose place the filter takes in a pipeline by its class name alone.
  * - Laplacian_Mean_Curvature Δ_s H, the Laplace–Beltrami operator of H.
  * - Normals n, unit vectors.
  * - With PrincipalCurvatures and scheme Fit: Maximum_Direction and Minimum_Direction, unit tangents
- * along which the surface has these curvatures (each may as well point the other way; any two that are
- * normal to each other where κ1 = κ2).
+ * along which the surface has these curvatures (each may as well point the other way; any two that
+ * are normal to each other where κ1 = κ2).
  * - With ShapeDescriptors: Curvedness √((κ1² + κ2²)/2); Shape_Index (2/π) arctan((κ1 + κ2)/(κ1 − κ2)),
- * 1 on a sphere seen from outside, 1/2 on a cylinder, 0 on a symmetric saddle and where it is flat, −1
- * in a cup; Willmore_Density H², of which the bending energy is 2 EB times the integral.
+ * 1 on a sphere seen from outside, 1/2 on a cylinder, 0 on a symmetric saddle and where it is flat,
+ * −1 in a cup; Willmore_Density H², of which the bending energy is 2 EB times the integral.
  * - Bending_Force, the force density (a vector, force an area) that a membrane of Helfrich energy
  *   E = (EB/2) ∮ (2H)² dS exerts on the fluid: f = EB [2 Δ_s H + 4 H (H² − K)] n.
  * - Curvature_Valid (1 or 0): H, K and Normals are defined here. 0 where no triangle is, on an open
@@ -36,22 +36,23 @@
  *
  * Algorithm, scheme Fit (default): a quartic height function through each vertex and its neighbours
  * of two rings gives H, K and n; a second one of the fitted H gives Δ_s H. It converges on
- * irregular meshes too. Three more arrays: Fit_Residual (weighted RMS distance of the neighbours from
- * the fit, in edges), Fit_Degree (4; lower where the neighbourhood is too small) and
- * Mean_Curvature_Error, the standard error of H if that residual is noise, independent from point to
- * point.
+ * irregular meshes too. Three more arrays: Fit_Residual (weighted RMS distance of the neighbours
+ * from the fit, in edges), Fit_Degree (4; lower where the neighbourhood is too small) and
+ * Mean_Curvature_Error, the standard error of H if that residual is noise, independent from point
+ * to point.
  *
- * Noisy meshes, as of segmented images, need a length scale: with FitRadius (or FitRings) the surface of
- * second order is taken that is nearest to all points within that radius. The noise of H falls as its third
- * power, its bias grows as the square of radius over radius of curvature (docs/filters.md has both
- * measured). Where the curvature is mostly noise, the filter warns and names a radius.
+ * Noisy meshes, as of segmented images, need a length scale: with FitRadius (or FitRings) the
+ * surface of second order is taken that is nearest to all points within that radius. The noise of H
+ * falls as its third power, its bias grows as the square of radius over radius of curvature
+ * (docs/filters.md has both measured). Where the curvature is mostly noise, the filter warns and
+ * names a radius.
  *
  * Scheme Loop: the Loop limit surface through the vertices of a closed mesh, as the dynamics use
  * it; for meshes with smoothly spaced points.
  *
- * Time and memory of Fit and Loop grow as the number of triangles; threads share the work, and results
- * don't depend on their number. ProgressEvent comes on the way; where AbortExecute is set the output is
- * empty.
+ * Time and memory of Fit and Loop grow as the number of triangles; threads share the work, and
+ * results don't depend on their number. ProgressEvent comes on the way; where AbortExecute is set
+ * the output is empty.
  *
  * Scheme Cotan (the paper's; H doesn't converge at vertices of valence other than six, nor Δ_s H on
  * irregular meshes): with the cotangent Laplacian L over the barycentric areas A_i,
@@ -104,8 +105,8 @@ public:
 
   ///@{
   /**
-   * Whether Mean_Curvature has the opposite sign (and the principal curvatures, their directions and
-   * Shape_Index follow); the other arrays stay what they are. Default: off.
+   * Whether Mean_Curvature has the opposite sign (and the principal curvatures, their directions
+   * and Shape_Index follow); the other arrays stay what they are. Default: off.
    */
   vtkSetMacro(InvertMeanCurvature, vtkTypeBool);
   vtkGetMacro(InvertMeanCurvature, vtkTypeBool);
@@ -124,9 +125,9 @@ public:
 
   ///@{
   /**
-   * Of scheme Fit: the radius of the neighbourhoods, a length in the mesh's units, 0 or more, less than
-   * half the diagonal of the mesh's box. Points within it along the surface count that face the same way.
-   * Time grows as its square. 0: FitRings says. Default: 0.
+   * Of scheme Fit: the radius of the neighbourhoods, a length in the mesh's units, 0 or more, less
+   * than half the diagonal of the mesh's box. Points within it along the surface count that face
+   * the same way. Time grows as its square. 0: FitRings says. Default: 0.
    */
   vtkSetClampMacro(FitRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(FitRadius, double);
@@ -134,8 +135,8 @@ public:
 
   ///@{
   /**
-   * The same in mean lengths of the mesh's edges, where FitRadius is 0. 0: the nearest two or three rings
-   * of neighbours, for smooth meshes. Default: 0.
+   * The same in mean lengths of the mesh's edges, where FitRadius is 0. 0: the nearest two or three
+   * rings of neighbours, for smooth meshes. Default: 0.
    */
   vtkSetClampMacro(FitRings, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(FitRings, double);
@@ -143,8 +144,8 @@ public:
 
   ///@{
   /**
-   * Whether Laplacian_Mean_Curvature, Bending_Force and Bending_Force_Valid are wanted, which with a
-   * radius takes half of the time. Default: on.
+   * Whether Laplacian_Mean_Curvature, Bending_Force and Bending_Force_Valid are wanted, which with
+   * a radius takes half of the time. Default: on.
    */
   vtkSetMacro(BendingForce, bool);
   vtkGetMacro(BendingForce, bool);
