@@ -272,7 +272,30 @@ TEST(Pipeline, TwoAtOnceGiveWhatEachGivesAlone)
   }
 }
 
-// Reading catches the messages of VTK's readers, of which there is one place for all threads.
+// VTK has one place for the messages of all threads.
+TEST(Pipeline, MessagesAreKeptForTheThreadThatTheyAreOf)
+{
+  vtkOutputWindow* window = vtkOutputWindow::GetInstance();
+  {
+    const VtkMessages here;
+    std::thread(
+      []
+      {
+        const VtkMessages there;
+        vtkOutputWindowDisplayErrorText("file (1): there\n");
+        EXPECT_TRUE(there.any_error());
+        const VtkMessages within;
+        EXPECT_FALSE(within.any_error());
+      })
+      .join();
+    EXPECT_FALSE(here.any_error());
+    vtkOutputWindowDisplayErrorText("file (1): here\n");
+    vtkOutputWindowDisplayErrorText("file (1): here again\n");
+    EXPECT_EQ(here.first_error(), "here");
+  }
+  EXPECT_EQ(vtkOutputWindow::GetInstance(), window);
+}
+
 TEST(Pipeline, TwoReadMeshesAtOnce)
 {
   const TemporaryFolder folder;

@@ -1,43 +1,103 @@
 #include "VtkMessages.h"
 
+#include "vtkLogger.h"
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <mutex>
 
 namespace vesicle
 {
 namespace
 {
 
-class Collector : public vtkOutputWindow
+thread_local VtkMessages::Kept* kept_here = nullptr;
+
+/// In the place of the process's one output window: what a thread wants kept is kept for it, the
+/// rest is said as before.
+class Sorter : public vtkOutputWindow
 {
 public:
-  static Collector* New();
-  vtkTypeMacro(Collector, vtkOutputWindow);
+  static Sorter* New();
+  vtkTypeMacro(Sorter, vtkOutputWindow);
 
-  void DisplayText(const char*) override {}
-  void DisplayWarningText(const char* text) override { warnings.emplace_back(text); }
-  void DisplayGenericWarningText(const char*) override {}
-  void DisplayDebugText(const char*) override {}
-  void DisplayErrorText(const char* text) override
+  void DisplayText(const char* text) override
   {
-    if (first_error.empty())
+    if (!kept_here)
     {
-      first_error = text;
+      before->DisplayText(text);
     }
   }
+  void DisplayWarningText(const char* text) override
+  {
+    kept_here ? kept_here->warn(text) : before->DisplayWarningText(text);
+  }
+  void DisplayGenericWarningText(const char* text) override
+  {
+    if (!kept_here)
+    {
+      before->DisplayGenericWarningText(text);
+    }
+  }
+  void DisplayDebugText(const char* text) override
+  {
+    if (!kept_here)
+    {
+      before->DisplayDebugText(text);
+    }
+  }
+  void DisplayErrorText(const char* text) override
+  {
+    kept_here ? kept_here->fail(text) : before->DisplayErrorText(text);
+  }
 
-  std::string first_error;
-  std::vector<std::string> warnings;
+  vtkSmartPointer<vtkOutputWindow> before;
 };
-vtkStandardNewMacro(Collector);
+vtkStandardNewMacro(Sorter);
 
-/// The output window is one for the whole process.
-std::recursive_mutex& turns()
+/// The process's output window while there is any VtkMessages.
+class Sorting
 {
-  static std::recursive_mutex mutex;
-  return mutex;
+public:
+  void begin()
+  {
+    const std::lock_guard lock(mutex_);
+    if (++users_ > 1)
+    {
+      return;
+    }
+    auto sorter = vtkSmartPointer<Sorter>::New();
+    sorter->before = vtkOutputWindow::GetInstance();
+    before_ = sorter->before;
+    verbosity_ = vtkLogger::GetCurrentVerbosityCutoff();
+    vtkOutputWindow::SetInstance(sorter);
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // it prints errors a second time
+  }
+  void end()
+  {
+    const std::lock_guard lock(mutex_);
+    if (--users_ > 0)
+    {
+      return;
+    }
+    vtkOutputWindow::SetInstance(before_);
+    before_ = nullptr;
+    vtkLogger::SetStderrVerbosity(verbosity_);
+  }
+
+private:
+  std::mutex mutex_;
+  int users_ = 0;
+  vtkSmartPointer<vtkOutputWindow> before_;
+  vtkLogger::Verbosity verbosity_ = vtkLogger::VERBOSITY_OFF;
+};
+
+Sorting& sorting()
+{
+  static Sorting one;
+  return one;
 }
 
 /// "… line 12\nvtkClass (0x55…): what happened\nmore" without what only a debugger needs.
@@ -50,23 +110,16 @@ std::string what_happened(std::string text)
 
 }
 
-VtkMessages::VtkMessages()
-  : lock_(turns()), before_(vtkOutputWindow::GetInstance()),
-    collector_(vtk::TakeSmartPointer<vtkOutputWindow>(Collector::New()))
+VtkMessages::VtkMessages() : outer_(kept_here)
 {
-  vtkOutputWindow::SetInstance(collector_);
-  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // it prints errors a second time
+  sorting().begin();
+  kept_here = &kept_;
 }
 
 VtkMessages::~VtkMessages()
 {
-  vtkOutputWindow::SetInstance(before_);
-  vtkLogger::SetStderrVerbosity(verbosity_);
-}
-
-bool VtkMessages::any_error() const
-{
-  return !static_cast<Collector*>(collector_.Get())->first_error.empty();
+  kept_here = outer_;
+  sorting().end();
 }
 
 std::string VtkMessages::first_warning() const
@@ -77,14 +130,14 @@ std::string VtkMessages::first_warning() const
 
 std::vector<std::string> VtkMessages::warnings() const
 {
-  std::vector<std::string> result = static_cast<Collector*>(collector_.Get())->warnings;
+  std::vector<std::string> result = kept_.warnings;
   std::transform(result.begin(), result.end(), result.begin(), what_happened);
   return result;
 }
 
 std::string VtkMessages::first_error() const
 {
-  return what_happened(static_cast<Collector*>(collector_.Get())->first_error);
+  return what_happened(kept_.first_error);
 }
 
 }

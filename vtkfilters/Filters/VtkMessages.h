@@ -3,20 +3,14 @@
 
 #include "VesicleFiltersModule.h"
 
-#include "vtkLogger.h"
-#include "vtkSmartPointer.h"
-
-#include <mutex>
 #include <string>
 #include <vector>
-
-class vtkOutputWindow;
 
 namespace vesicle
 {
 
-/// While in scope, VTK's messages of all objects and threads are kept instead of printed. Another
-/// thread that wants the same waits.
+/// While in scope, what VTK says on this thread is kept instead of printed. In the scope of another
+/// one that is the inner one's. What other threads say is theirs: kept by their own, or printed.
 class VESICLEFILTERS_EXPORT VtkMessages
 {
 public:
@@ -25,17 +19,25 @@ public:
   VtkMessages(const VtkMessages&) = delete;
   VtkMessages& operator=(const VtkMessages&) = delete;
 
-  bool any_error() const;
+  bool any_error() const { return !kept_.first_error.empty(); }
   /// What happened, in one line; empty: nothing.
   std::string first_error() const;
   std::string first_warning() const;
   std::vector<std::string> warnings() const;
 
+  /// As VTK says them.
+  struct Kept
+  {
+    std::string first_error;
+    std::vector<std::string> warnings;
+
+    void fail(const char* text) { first_error = first_error.empty() ? text : first_error; }
+    void warn(const char* text) { warnings.emplace_back(text); }
+  };
+
 private:
-  std::unique_lock<std::recursive_mutex> lock_;
-  vtkSmartPointer<vtkOutputWindow> before_;
-  vtkSmartPointer<vtkOutputWindow> collector_;
-  vtkLogger::Verbosity verbosity_ = vtkLogger::GetCurrentVerbosityCutoff();
+  Kept kept_;
+  Kept* outer_; ///< of this thread
 };
 
 }
