@@ -20,15 +20,24 @@
 #include "vtkfilters/Filters/VtkMessages.h"
 
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include <fmt/format.h>
 
 namespace vesicle
 {
+namespace
+{
+
+/// How many rows and frames may wait for the disk: what a kill may cost beside the step under way.
+/// A disk that takes long now and then doesn't hold the run up so.
+constexpr std::size_t most_waiting = 8;
+
+}
 
 Run::Run(Scene scene, const std::filesystem::path& folder, const RunOptions& options)
   : scene_(std::move(scene)), folder_(folder, scene_.name), options_(options),
-    began_(std::chrono::steady_clock::now()), series_(folder, scene_.name)
+    began_(std::chrono::steady_clock::now()), series_(folder, scene_.name), writing_(most_waiting)
 {
   stepper_->SetScene(scene_);
   stepper_->SetCacheSize(1); // never goes back
@@ -51,6 +60,10 @@ int Run::carry_out()
     if (!existing || !options_.resume || !go_on())
     {
       start_anew();
+    }
+    if (options_.movie || options_.plots)
+    {
+      writing_.add([] { prepare_to_draw(); });
     }
     while (!stepper_->GetFinished() && !interrupted() && !is_failed())
     {
@@ -113,6 +126,7 @@ void Run::take_folder()
 /// Where no state could be reached the start shape is left, to be looked at.
 void Run::return_to_last_good_state()
 {
+  writing_.wait();
   rows_ = checkpoint_ ? checkpoint_->rows() : 0;
   if (!stepper_->GetSimulation() || (rows_ > 0 && !table_))
   {
@@ -190,7 +204,7 @@ void Run::advance()
 /// After Ctrl-C or a failure too: the last state is always there.
 void Run::append_last_frame()
 {
-  if (series_.frames().empty() || series_.frames().back().time != stepper_->GetStateTime())
+  if (last_frame_time_ != stepper_->GetStateTime())
   {
     append_frame();
   }
@@ -238,24 +252,36 @@ void Run::on_step()
 
 void Run::record()
 {
+  const State& state = *stepper_->GetState();
   const Row row = stepper_->GetDiagnostics().values();
   try
   {
-    doing("writing " + folder_.checkpoint().string(),
-      [&] { checkpoint_->append(*stepper_->GetState(), row); });
+    require_finite(state, Diagnostics::names(), row);
   }
   catch (const NumericalError& error) // not to be saved as a good state
   {
-    throw NumericalError(fmt::format("t = {:.6g}: {}", stepper_->GetStateTime(), error.what()));
+    throw NumericalError(fmt::format("t = {:.6g}: {}", state.time, error.what()));
   }
-  doing("writing " + folder_.table().string(), [&] { table_->append(row); });
+  writing_.add(
+    [this, state, row]
+    {
+      doing("writing " + folder_.checkpoint().string(), [&] { checkpoint_->append(state, row); });
+      doing("writing " + folder_.table().string(), [&] { table_->append(row); });
+    });
 }
 
 void Run::append_frame()
 {
-  doing(fmt::format("writing the frame at t = {:.6g} of {}", stepper_->GetStateTime(),
-          series_.pvd_file().string()),
-    [&] { series_.append(stepper_->GetOutput(), stepper_->GetStateTime()); });
+  vtkNew<vtkPolyData> surface; // whose arrays stay, as each step makes new ones
+  surface->ShallowCopy(stepper_->GetOutput());
+  const double time = stepper_->GetStateTime();
+  writing_.add(
+    [this, surface = vtkSmartPointer<vtkPolyData>(surface), time]
+    {
+      doing(fmt::format("writing the frame at t = {:.6g} of {}", time, series_.pvd_file().string()),
+        [&] { series_.append(surface, time); });
+    });
+  last_frame_time_ = time;
   tell_once_if_unresolved();
 }
 
@@ -398,6 +424,7 @@ void Run::draw(const RunTable& table)
 
 void Run::finish()
 {
+  writing_.wait();
   const RunTable table = run_table(checkpoint_->series());
   rows_ = checkpoint_->rows();
   checkpoint_->close();

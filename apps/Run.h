@@ -9,6 +9,7 @@
 #include "apps/Summary.h"
 
 #include "solver/files/FileLock.h"
+#include "solver/files/WriteQueue.h"
 #include "solver/scene/Scene.h"
 #include "solver/state/RunFile.h"
 #include "vtkfilters/Filters/SeriesWriter.h"
@@ -35,7 +36,8 @@ struct RunOptions
 };
 
 /// Drives a vtkVesicleStepper from output time to output time and writes a frame at each; table,
-/// checkpoint, progress and Ctrl-C watch the accepted steps in between.
+/// checkpoint, progress and Ctrl-C watch the accepted steps in between. What a step leaves is handed
+/// to a queue that writes it, in this order, while the next steps are computed.
 class Run
 {
 public:
@@ -76,10 +78,12 @@ private:
   RunOptions options_;
   std::chrono::steady_clock::time_point began_;
   vtkNew<vtkVesicleStepper> stepper_;
-  SeriesWriter series_;
   std::optional<FileLock> lock_; ///< of the folder, from before anything there is read
+  // The queue's, but while it is known to be empty.
+  SeriesWriter series_;
   std::optional<RunFile> checkpoint_;
   std::optional<CsvFile> table_;
+  std::optional<double> last_frame_time_; ///< that was handed over
   std::optional<Progress> progress_;
   std::exception_ptr failure_; ///< of an observer: it must not pass through VTK
   std::string message_;        ///< why the run failed
@@ -88,6 +92,7 @@ private:
   bool resumed_ = false;
   bool told_unresolved_ = false;
   RunSummary summary_;
+  WriteQueue writing_; ///< the last, as it is to end first
 };
 
 }

@@ -82,6 +82,17 @@ void require_color(const Scene& scene, vtkPolyData* surface)
     scene.file.string(), scene.movie.color, names));
 }
 
+void prepare_to_draw()
+{
+  try
+  {
+    render_backend();
+  }
+  catch (const NothingToDrawWith&) // told when there is something to draw
+  {
+  }
+}
+
 std::string make_run_movie(const Scene& scene, const RunFolder& folder,
   const std::vector<std::filesystem::path>& frames, const RunTable& table, Progress& progress)
 {

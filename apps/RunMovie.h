@@ -25,6 +25,9 @@ MovieSettings movie_settings(const Scene::Movie& movie);
 /// Asked at the start: nobody wants to hear it at the end.
 void require_color(const Scene& scene, vtkPolyData* surface);
 
+/// Loads what draws, which takes a fifth of a second, so that it is there when pictures are to be made.
+void prepare_to_draw();
+
 /// Pictures of the frames, and a film where ffmpeg is installed. Where nothing can draw, or on
 /// Ctrl-C, there is no movie, and the returned text says why; a run is not failed for that. Throws
 /// IoError.

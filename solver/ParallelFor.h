@@ -1,5 +1,6 @@
 #pragma once
-// Loops whose iterations share nothing: the only place where the solver starts threads.
+// Loops whose iterations share nothing: the only place where the solver starts threads to compute.
+// Those that wait for a disk are WriteQueue's.
 
 #ifdef __has_feature
 #if __has_feature(thread_sanitizer)

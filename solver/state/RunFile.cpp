@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 namespace vesicle
@@ -52,22 +53,23 @@ void check_columns(const std::vector<std::string>& columns)
   }
 }
 
-void check_state(const State& state)
+std::vector<double> numbers_of(const std::vector<std::optional<double>>& row)
 {
-  if (const std::string field = first_unusable_field(state); !field.empty())
-  {
-    throw NumericalError(fmt::format("{} isn't finite. {}", field, remedy));
-  }
+  std::vector<double> values;
+  std::transform(row.begin(), row.end(), std::back_inserter(values),
+    [](const std::optional<double>& value) { return value.value_or(missing_value); });
+  return values;
 }
 
-std::vector<double> checked_row(
-  const std::vector<std::string>& columns, const std::vector<std::optional<double>>& row)
+}
+
+void require_finite(const State& state, const std::vector<std::string>& columns,
+  const std::vector<std::optional<double>>& row)
 {
   if (row.size() != columns.size())
   {
     throw IoError(fmt::format("a row of {} values for {} columns", row.size(), columns.size()));
   }
-  std::vector<double> values;
   for (std::size_t i = 0; i < row.size(); ++i)
   {
     if (row[i] && (!std::isfinite(*row[i]) || *row[i] == missing_value))
@@ -75,11 +77,11 @@ std::vector<double> checked_row(
       throw NumericalError(
         fmt::format("{} = {}, beyond what can be computed with. {}", columns[i], *row[i], remedy));
     }
-    values.push_back(row[i].value_or(missing_value));
   }
-  return values;
-}
-
+  if (const std::string field = first_unusable_field(state); !field.empty())
+  {
+    throw NumericalError(fmt::format("{} isn't finite. {}", field, remedy));
+  }
 }
 
 struct RunFile::Impl
@@ -232,9 +234,8 @@ std::vector<std::vector<std::optional<double>>> RunFile::series() const
 void RunFile::append(const State& state, const std::vector<std::optional<double>>& row)
 {
   const QuietErrors quiet;
-  const auto values = checked_row(header().columns, row);
-  check_state(state);
-  about(impl_->path, [&] { impl_->append(state, values); });
+  require_finite(state, header().columns, row);
+  about(impl_->path, [&] { impl_->append(state, numbers_of(row)); });
 }
 
 }

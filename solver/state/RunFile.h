@@ -64,8 +64,8 @@ public:
   std::vector<std::vector<std::optional<double>>> series() const;
 
   /// Appends one row to the series (values in the order of the columns) and replaces the state.
-  /// Throws NumericalError if a value or an array of the state isn't finite and IoError if the file
-  /// can't be written; what was appended before is then still there.
+  /// Throws as require_finite does, and IoError if the file can't be written; what was appended
+  /// before is then still there.
   void append(const State& state, const std::vector<std::optional<double>>& row);
   /// Cuts the series to their length. The file is whole without that. Throws IoError.
   void close();
@@ -75,5 +75,10 @@ private:
   explicit RunFile(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
+
+/// Throws NumericalError naming what isn't finite of a state and a row of these columns: neither is
+/// to be saved.
+void require_finite(const State& state, const std::vector<std::string>& columns,
+  const std::vector<std::optional<double>>& row);
 
 }

@@ -20,8 +20,8 @@ using std::filesystem::path;
 class FaultyDisk
 {
 public:
-  FaultyDisk(
-    const path& folder, const path& counter, const Fault& fault, const std::string& preloaded)
+  FaultyDisk(const path& folder, const path& counter, const Fault& fault,
+    const std::string& preloaded, std::chrono::microseconds delay)
     : counter_(counter)
   {
     std::ofstream(counter, std::ios::binary) << std::string(8, '\0');
@@ -31,11 +31,12 @@ public:
     setenv("FAULTY_CALL", std::to_string(fault.call).c_str(), 1);
     setenv("FAULTY_KIND", fault.kind.c_str(), 1);
     setenv("FAULTY_LASTING", fault.lasting ? "1" : "0", 1);
+    setenv("FAULTY_DELAY", std::to_string(delay.count()).c_str(), 1);
   }
   ~FaultyDisk()
   {
     for (const char* name : { "LD_PRELOAD", "FAULTY_FOLDER", "FAULTY_COUNTER", "FAULTY_CALL",
-           "FAULTY_KIND", "FAULTY_LASTING" })
+           "FAULTY_KIND", "FAULTY_LASTING", "FAULTY_DELAY" })
     {
       unsetenv(name);
     }
@@ -143,7 +144,7 @@ Outcome FaultRuns::run(
     "accuracy.preset=fast", "--set", "time.end=0.03", "--set", "time.output_every=0.02" };
   words.insert(words.end(), extra_.begin(), extra_.end());
   words.insert(words.end(), more.begin(), more.end());
-  const FaultyDisk disk(folder_ / output, folder_ / "counter", fault, preloaded_);
+  const FaultyDisk disk(folder_ / output, folder_ / "counter", fault, preloaded_, delay_);
   const auto outcome = vesicle_command(folder_.path(), words);
   last_calls_ = disk.calls();
   return outcome;

@@ -3,6 +3,7 @@
 
 #include "tests/apps/Command.h"
 
+#include <chrono>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -47,6 +48,8 @@ public:
 
   /// From now on runs find the wall clock an hour earlier each time they look.
   void set_clock_back();
+  /// From now on runs have a disk that is behind them: each sync takes that long.
+  void set_delay(std::chrono::microseconds delay) { delay_ = delay; }
 
   /// Makes a run with that fault, or goes on with a copy of the one in `from`; then goes on without
   /// the fault: expects an exit code and a message that tell what happened, then the same files as
@@ -65,6 +68,7 @@ private:
   TemporaryFolder folder_;
   std::vector<std::string> extra_;
   std::string preloaded_; ///< libraries
+  std::chrono::microseconds delay_{ 0 };
   Files undisturbed_;
   std::int64_t calls_ = 0, last_calls_ = 0;
   Tally tally_;

@@ -10,11 +10,14 @@
 namespace vesicle::test
 {
 
-TEST(Faults, OfASampleOfCallsLoseNothing)
+namespace
 {
-  FaultRuns runs({ "--no-movie", "--no-plots" });
+
+/// Of all calls of a run, in all ways; `stride` is prime to the number of kinds, so that each meets
+/// all parts of a run.
+void expect_nothing_lost(FaultRuns& runs, std::int64_t stride)
+{
   ASSERT_GT(runs.calls(), 50);
-  constexpr std::int64_t stride = 53; // prime to the number of kinds: each meets all parts of a run
   const auto& kinds = kinds_of_faults();
   for (std::int64_t i = 0; i < static_cast<std::int64_t>(kinds.size()) * runs.calls(); i += stride)
   {
@@ -23,6 +26,22 @@ TEST(Faults, OfASampleOfCallsLoseNothing)
     runs.expect_nothing_lost(fault);
   }
   std::cout << text_of(runs.tally()) << '\n';
+}
+
+}
+
+TEST(Faults, OfASampleOfCallsLoseNothing)
+{
+  FaultRuns runs({ "--no-movie", "--no-plots" });
+  expect_nothing_lost(runs, 53);
+}
+
+// Steps take a few milliseconds: the run is as far ahead of the disk as it may be.
+TEST(Faults, OfADiskThatIsBehindLoseNothing)
+{
+  FaultRuns runs({ "--no-movie", "--no-plots" });
+  runs.set_delay(std::chrono::milliseconds(10));
+  expect_nothing_lost(runs, 109);
 }
 
 TEST(Faults, ASampleOfDamagesToTheRunFileIsNoticed)

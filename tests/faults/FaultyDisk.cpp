@@ -6,6 +6,7 @@
 //   FAULTY_KIND     ENOSPC, EDQUOT or EIO: its error; "short": a write takes half of its bytes;
 //                   "kill": the program is killed in it, a write halfway
 //   FAULTY_LASTING  1: all later calls that need room (for EIO: all) fail as well
+//   FAULTY_DELAY    microseconds that each sync takes: the disk is behind the program then
 // Nothing waits for the real disk.
 
 #include <array>
@@ -172,6 +173,7 @@ mode_t mode_in(int flags, va_list list)
 
 int faulty_sync(int descriptor)
 {
+  ::usleep(static_cast<useconds_t>(std::atoi(setting("FAULTY_DELAY").data())));
   return is_inside(descriptor) && fate(Needs::room) == Fate::error ? fail() : 0;
 }
 
