@@ -204,10 +204,8 @@ void write_charts(const std::filesystem::path& file, const std::vector<ChartSpec
   render_backend();
   const int rows = (static_cast<int>(charts.size()) + columns - 1) / columns;
   const double scale = chart_scale(size[1] / rows);
-  vtkNew<vtkRenderWindow> window;
-  window->SetOffScreenRendering(1);
-  window->SetMultiSamples(8); // smooth lines; a chart is drawn once
-  window->SetSize(size[0], size[1]);
+  constexpr int samples = 8; // smooth lines; a chart is drawn once
+  const auto window = off_screen_window(size, samples);
   for (int i = 0; i < static_cast<int>(charts.size()); ++i)
   {
     const int column = i % columns;

@@ -3,6 +3,8 @@
 #include "solver/Errors.h"
 #include "solver/files/FileBytes.h"
 
+#include "vtkImageData.h"
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -12,9 +14,12 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sstream>
+#include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <utility>
 #include <vector>
 
 namespace vesicle
@@ -27,40 +32,14 @@ constexpr double longest_film = 15;
 constexpr int usual_rate = 25;
 constexpr int highest_rate = 60;
 
-struct Outcome
-{
-  int status = -1;   ///< exit status; −1: it didn't run to its end
-  std::string words; ///< what it wrote to its standard error
-};
-
-std::string read_all(int descriptor)
-{
-  std::string text;
-  std::array<char, 4096> chunk;
-  for (;;)
-  {
-    const ssize_t got = read(descriptor, chunk.data(), chunk.size());
-    if (got > 0)
-    {
-      text.append(chunk.data(), static_cast<std::size_t>(got));
-    }
-    else if (got == 0 || errno != EINTR)
-    {
-      return text;
-    }
-  }
-}
-
 /// What the new process does: calls that are allowed after a fork only.
-[[noreturn]] void become(
-  char* const* words, const char* folder, pid_t parent, int error_output) noexcept
+[[noreturn]] void become(char* const* words, pid_t parent, int input, int error_output) noexcept
 {
   // The film is the parent's: without it nobody would give the file its name.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   const int nothing = open("/dev/null", O_RDWR);
-  if (getppid() == parent && nothing >= 0 && chdir(folder) == 0 &&
-    dup2(nothing, STDIN_FILENO) >= 0 && dup2(nothing, STDOUT_FILENO) >= 0 &&
-    dup2(error_output, STDERR_FILENO) >= 0)
+  if (getppid() == parent && nothing >= 0 && dup2(input, STDIN_FILENO) >= 0 &&
+    dup2(nothing, STDOUT_FILENO) >= 0 && dup2(error_output, STDERR_FILENO) >= 0)
   {
     std::signal(SIGPIPE, SIG_DFL);
     execv(words[0], words);
@@ -68,8 +47,8 @@ std::string read_all(int descriptor)
   _exit(127);
 }
 
-/// Runs a program without a shell in that folder and waits for it. It ends with this program.
-Outcome run_program(std::vector<std::string> words, const std::filesystem::path& folder)
+/// Starts a program without a shell; it ends with this thread. −1 where that fails.
+pid_t start_program(std::vector<std::string> words, int input, int error_output)
 {
   std::vector<char*> arguments;
   for (auto& word : words)
@@ -77,33 +56,21 @@ Outcome run_program(std::vector<std::string> words, const std::filesystem::path&
     arguments.push_back(word.data());
   }
   arguments.push_back(nullptr);
-  int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0)
-  {
-    throw IoError(fmt::format("can't start {}: {}", words[0], std::strerror(errno)));
-  }
   const pid_t parent = getpid();
   const pid_t child = fork();
   if (child == 0)
   {
-    become(arguments.data(), folder.c_str(), parent, ends[1]);
+    become(arguments.data(), parent, input, error_output);
   }
-  const int failure = errno;
-  close(ends[1]);
-  if (child < 0)
+  return child;
+}
+
+void close_once(int& descriptor)
+{
+  if (descriptor >= 0)
   {
-    close(ends[0]);
-    throw IoError(fmt::format("can't start {}: {}", words[0], std::strerror(failure)));
+    close(std::exchange(descriptor, -1));
   }
-  Outcome outcome;
-  outcome.words = read_all(ends[0]);
-  close(ends[0]);
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR)
-  {
-  }
-  outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return outcome;
 }
 
 }
@@ -137,30 +104,112 @@ FrameRate frame_rate(int frames)
   return { usual_rate, 1 };
 }
 
-std::optional<std::string> encode_film(const std::filesystem::path& ffmpeg,
-  const std::filesystem::path& folder, FrameRate rate, const std::filesystem::path& film)
+Film::Film(const std::filesystem::path& ffmpeg, const std::array<int, 2>& size, FrameRate rate,
+  std::filesystem::path film)
+  : ffmpeg_(ffmpeg), film_(std::move(film)),
+    partial_(unfinished_name(std::filesystem::absolute(film_)))
 {
-  const auto partial = unfinished_name(std::filesystem::absolute(film));
-  const Outcome outcome = run_program(
-    { ffmpeg.string(), "-nostdin", "-hide_banner", "-loglevel", "error", "-xerror", "-y",
-      "-framerate", fmt::format("{}/{}", rate.frames, rate.seconds), "-i", "frame_%06d.png", "-vf",
-      "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white", "-c:v", "libx264", "-preset", "medium", "-crf",
-      "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f", "mp4", partial.string() },
-    folder);
-  if (outcome.status == 0 && outcome.words.empty())
+  start(size, rate);
+}
+
+void Film::start(const std::array<int, 2>& size, FrameRate rate)
+{
+  // A pair of sockets, since a pipe that nobody reads any more would end this program.
+  std::array<int, 2> ends{ -1, -1 };
+  complaints_ = memfd_create("ffmpeg", MFD_CLOEXEC);
+  if (complaints_ >= 0 && socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) == 0)
   {
-    finish_file(film);
+    pictures_ = ends[0];
+    process_ = start_program(
+      { ffmpeg_.string(), "-nostdin", "-hide_banner", "-loglevel", "error", "-xerror", "-y", "-f",
+        "rawvideo", "-pixel_format", "rgb24", "-video_size", fmt::format("{}x{}", size[0], size[1]),
+        "-framerate", fmt::format("{}/{}", rate.frames, rate.seconds), "-i", "pipe:0", "-vf",
+        "vflip,pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white", "-c:v", "libx264", "-preset", "veryfast",
+        "-crf", "18", "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f", "mp4",
+        partial_.string() },
+      ends[1], complaints_);
+  }
+  const int reason = errno;
+  close_once(ends[1]);
+  if (process_ < 0)
+  {
+    close_once(pictures_);
+    close_once(complaints_);
+    throw IoError(fmt::format("can't start {}: {}", ffmpeg_.string(), std::strerror(reason)));
+  }
+}
+
+Film::~Film()
+{
+  if (process_ >= 0)
+  {
+    kill(process_, SIGKILL);
+    wait();
+    remove_partial();
+  }
+  close_once(complaints_);
+}
+
+void Film::add(vtkImageData* picture)
+{
+  const auto* bytes = static_cast<const char*>(picture->GetScalarPointer());
+  auto left = static_cast<std::size_t>(picture->GetNumberOfPoints()) * 3;
+  while (left > 0 && pictures_ >= 0)
+  {
+    const ssize_t sent = send(pictures_, bytes, left, MSG_NOSIGNAL);
+    if (sent >= 0)
+    {
+      bytes += sent;
+      left -= static_cast<std::size_t>(sent);
+    }
+    else if (errno != EINTR)
+    {
+      close_once(pictures_);
+    }
+  }
+}
+
+/// The exit status; −1 if it didn't run to its end.
+int Film::wait()
+{
+  close_once(pictures_);
+  int status = 0;
+  while (waitpid(process_, &status, 0) < 0 && errno == EINTR)
+  {
+  }
+  process_ = -1;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+std::string Film::words() const
+{
+  std::array<char, 4096> text;
+  const ssize_t length = pread(complaints_, text.data(), text.size(), 0);
+  return { text.data(), static_cast<std::size_t>(std::max<ssize_t>(length, 0)) };
+}
+
+void Film::remove_partial() const
+{
+  std::error_code ignored;
+  std::filesystem::remove(partial_, ignored);
+}
+
+std::optional<std::string> Film::finish()
+{
+  const int status = wait();
+  const std::string complaints = words();
+  if (status == 0 && complaints.empty())
+  {
+    finish_file(film_);
     return {};
   }
-  std::error_code ignored;
-  std::filesystem::remove(partial, ignored);
-  if (outcome.words.find("Unknown encoder") != std::string::npos)
+  remove_partial();
+  if (complaints.find("Unknown encoder") != std::string::npos)
   {
-    return fmt::format(
-      "no film: {} can't encode H.264; the pictures are in {}", ffmpeg.string(), folder.string());
+    return fmt::format("no film: {} can't encode H.264", ffmpeg_.string());
   }
-  throw IoError(fmt::format("{}: can't be written: {}", film.string(),
-    outcome.words.empty() ? "ffmpeg stopped" : "ffmpeg says: " + outcome.words));
+  throw IoError(fmt::format("{}: can't be written: {}", film_.string(),
+    complaints.empty() ? "ffmpeg stopped" : "ffmpeg says: " + complaints));
 }
 
 }

@@ -1,9 +1,14 @@
 #pragma once
-// A film from numbered pictures, by the ffmpeg program where it is installed.
+// A film from pictures, by the ffmpeg program where it is installed.
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
+
+#include <sys/types.h>
+
+class vtkImageData;
 
 namespace vesicle
 {
@@ -21,10 +26,36 @@ struct FrameRate
 };
 FrameRate frame_rate(int frames);
 
-/// Makes an MP4 (H.264, yuv420p, even sides) of folder/frame_000000.png, … The film appears under
-/// its name only when complete. Returns a note when this ffmpeg can't encode H.264; throws IoError
-/// with ffmpeg's own words for any other failure.
-std::optional<std::string> encode_film(const std::filesystem::path& ffmpeg,
-  const std::filesystem::path& folder, FrameRate rate, const std::filesystem::path& film);
+/// An MP4 (H.264, yuv420p, even sides), which ffmpeg encodes picture by picture while the next ones
+/// are drawn. It appears under its name only when complete.
+class Film
+{
+public:
+  /// Of pictures of `size` pixels. The thread that calls this has to be there until the film is
+  /// finished: ffmpeg ends with it. Throws IoError where ffmpeg can't be started.
+  Film(const std::filesystem::path& ffmpeg, const std::array<int, 2>& size, FrameRate rate,
+    std::filesystem::path film);
+  /// Gives up what isn't finished, and leaves nothing of it.
+  ~Film();
+  Film(const Film&) = delete;
+  Film& operator=(const Film&) = delete;
+
+  /// The next picture, RGB. Waits while ffmpeg is behind. Where that has stopped, finish() tells.
+  void add(vtkImageData* picture);
+  /// Returns a note when this ffmpeg can't encode H.264; throws IoError with ffmpeg's own words for
+  /// any other failure.
+  std::optional<std::string> finish();
+
+private:
+  void start(const std::array<int, 2>& size, FrameRate rate);
+  int wait();
+  std::string words() const;
+  void remove_partial() const;
+
+  std::filesystem::path ffmpeg_, film_, partial_;
+  pid_t process_ = -1;  ///< −1: it has ended
+  int pictures_ = -1;   ///< ffmpeg's standard input
+  int complaints_ = -1; ///< its standard error, a file in memory
+};
 
 }

@@ -149,6 +149,8 @@ Point3 panel_shift(const Layout& layout, int panel, vtkPolyData* surface, const 
   return shift;
 }
 
+constexpr int samples = 8; // drawn once
+
 /// The figure while it is drawn.
 class Figure
 {
@@ -156,15 +158,12 @@ public:
   Figure(const MontageSettings& settings, const Layout& layout, const View& view)
     : settings_(settings), layout_(layout),
       view_(view), size_{ static_cast<int>(layout.width), static_cast<int>(layout.height) },
-      bar_(size_[0], size_[1])
+      bar_(size_[0], size_[1]), window_(off_screen_window(size_, samples))
   {
     const auto& b = settings.picture.background;
     renderer_->SetBackground(b[0], b[1], b[2]);
     add_lamps(renderer_);
     bar_.add_to(renderer_);
-    window_->SetOffScreenRendering(1);
-    window_->SetMultiSamples(8); // drawn once
-    window_->SetSize(size_[0], size_[1]);
     window_->AddRenderer(renderer_);
   }
 
@@ -244,7 +243,7 @@ private:
   std::vector<std::unique_ptr<VesicleActor>> vesicles_;
   std::vector<std::unique_ptr<CornerMarker>> markers_;
   vtkNew<vtkRenderer> renderer_;
-  vtkNew<vtkRenderWindow> window_;
+  vtkSmartPointer<vtkRenderWindow> window_;
 };
 
 std::string time_text(const std::string& format, double time)

@@ -6,6 +6,7 @@
 #include "solver/Doing.h"
 #include "solver/Errors.h"
 #include "solver/files/FileBytes.h"
+#include "solver/files/WriteQueue.h"
 #include "vtkfilters/Filters/MeshFiles.h"
 
 #include "vtkDataArray.h"
@@ -16,7 +17,9 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <future>
+#include <memory>
 #include <spdlog/spdlog.h>
+#include <utility>
 
 namespace vesicle
 {
@@ -29,12 +32,19 @@ namespace fs = std::filesystem;
 /// shorter: at rest there is nothing to see but noise.
 constexpr double least_arrow_speed = 0.01;
 
+/// Pictures that are encoded and written while the next are drawn.
+constexpr std::size_t most_waiting = 2;
+
+/// Of frames that are kept from being measured until they are drawn; the others are asked for twice.
+constexpr unsigned long most_kept = 128 * 1024; // KiB
+
 struct FrameSurvey
 {
   Framing framing;
   RangeFinder values;
   double neutral = 0;
   double speed = 0;
+  std::vector<vtkSmartPointer<vtkPolyData>> kept; ///< the first frames
 };
 
 using FrameName = std::function<std::string(int)>;
@@ -68,20 +78,27 @@ vtkSmartPointer<vtkPolyData> frame_of(const FrameSource& frames, int i)
   return surface;
 }
 
-/// Calls work(i) for each frame; an error then says which frame it was.
+/// Does the work on a frame; an error then says which frame it was.
+template<typename Work>
+decltype(auto) with_frame(const std::string& name, Work&& work)
+{
+  try
+  {
+    return doing("drawing " + name, std::forward<Work>(work));
+  }
+  catch (const InputError& error)
+  {
+    throw InputError(name + ": " + error.what());
+  }
+}
+
+/// Calls work(i) for each frame.
 template<typename Work>
 void for_each_frame(int count, const FrameName& name, Work&& work)
 {
   for (int i = 0; i < count; ++i)
   {
-    try
-    {
-      doing("drawing " + name(i), [&] { work(i); });
-    }
-    catch (const InputError& error)
-    {
-      throw InputError(name(i) + ": " + error.what());
-    }
+    with_frame(name(i), [&] { work(i); });
   }
 }
 
@@ -89,6 +106,7 @@ FrameSurvey survey_frames(
   const FrameSource& frames, int count, const FrameName& name, const MovieSettings& settings)
 {
   FrameSurvey survey;
+  unsigned long memory = 0;
   Passage passage;
   const PictureSettings& picture = settings.picture;
   const View view = View::named(picture.view);
@@ -103,6 +121,11 @@ FrameSurvey survey_frames(
       if (picture.arrows)
       {
         survey.speed = std::max(survey.speed, VelocityArrows::largest_speed(surface));
+      }
+      if (memory < most_kept)
+      {
+        memory += surface->GetActualMemorySize();
+        survey.kept.push_back(surface);
       }
     });
   if (!settings.follow)
@@ -150,57 +173,76 @@ fs::path picture_file(const fs::path& folder, int i)
   return folder / fmt::format("frame_{:06}.png", i);
 }
 
-void draw_frames(Picture& picture, const FrameSource& frames, int count, const FrameName& name,
-  const std::vector<double>& times, const MovieSettings& settings)
+/// The film of a movie, if one is to be had.
+struct FilmOrNote
 {
-  // Encoding a PNG takes longer than drawing it: do the one while the next is drawn.
-  std::future<void> writing;
-  for_each_frame(count, name,
-    [&](int i)
-    {
-      picture.draw(frame_of(frames, i),
-        times.empty() ? std::nullopt : std::optional(times[static_cast<std::size_t>(i)]));
-      auto image = picture.image();
-      if (writing.valid())
-      {
-        writing.get();
-      }
-      writing = std::async(std::launch::async,
-        [file = picture_file(settings.directory, i), image] { write_png(file, image); });
-      if (settings.progress)
-      {
-        settings.progress(i + 1, count);
-      }
-    });
-  writing.get();
-}
+  std::unique_ptr<Film> film;
+  std::string note; ///< why there is none
+};
 
-void make_film(const MovieSettings& settings, int count, MovieReport& report)
+FilmOrNote start_film(const MovieSettings& settings, FrameRate rate)
 {
   std::error_code ignored;
   fs::remove(*settings.mp4, ignored); // of an earlier movie
   const auto ffmpeg = find_ffmpeg();
   if (!ffmpeg)
   {
-    report.note =
-      fmt::format("no film: the program ffmpeg is not installed; the pictures are in {}",
-        settings.directory.string());
+    return { nullptr, "no film: the program ffmpeg is not installed" };
   }
-  else
+  return { std::make_unique<Film>(*ffmpeg, settings.picture.size, rate, *settings.mp4), "" };
+}
+
+/// While a picture is drawn, the surface of the next is fetched and those before are written.
+void draw_frames(Picture& picture, const FrameSource& frames, int count, const FrameName& name,
+  const std::vector<double>& times, const MovieSettings& settings, Film* film)
+{
+  const auto fetch = [&frames](int i)
+  { return std::async(std::launch::async, [&frames, i] { return frame_of(frames, i); }); };
+  const auto write = [film](const fs::path& file, vtkImageData* image)
   {
-    const FrameRate rate = frame_rate(count);
-    report.note = doing("making " + settings.mp4->string(),
-      [&] { return encode_film(*ffmpeg, settings.directory, rate, *settings.mp4).value_or(""); });
-    report.frames_per_second = rate.per_second();
+    write_png(file, image);
+    if (film)
+    {
+      film->add(image);
+    }
+  };
+  WriteQueue writing(most_waiting);
+  auto next = fetch(0);
+  for_each_frame(count, name,
+    [&](int i)
+    {
+      const auto surface = next.get();
+      if (i + 1 < count)
+      {
+        next = fetch(i + 1);
+      }
+      picture.draw(
+        surface, times.empty() ? std::nullopt : std::optional(times[static_cast<std::size_t>(i)]));
+      writing.add([&write, file = picture_file(settings.directory, i), image = picture.image()]
+        { doing("writing " + file.string(), [&] { write(file, image); }); });
+      if (settings.progress)
+      {
+        settings.progress(i + 1, count);
+      }
+    });
+  writing.wait();
+}
+
+void finish_film(const MovieSettings& settings, FilmOrNote& made, MovieReport& report)
+{
+  if (made.film)
+  {
+    made.note =
+      doing("making " + settings.mp4->string(), [&] { return made.film->finish().value_or(""); });
+    report.frames_per_second = frame_rate(report.frames).per_second();
   }
-  if (report.note.empty())
+  if (made.note.empty())
   {
     report.mp4 = settings.mp4;
+    return;
   }
-  else
-  {
-    spdlog::info(report.note);
-  }
+  report.note = fmt::format("{}; the pictures are in {}", made.note, settings.directory.string());
+  spdlog::info(report.note);
 }
 
 MovieReport draw_movie(const FrameSource& frames, int count, const FrameName& name,
@@ -210,25 +252,41 @@ MovieReport draw_movie(const FrameSource& frames, int count, const FrameName& na
   {
     throw InputError("a movie needs at least one frame");
   }
-  PictureSettings of_picture = settings.picture;
-  const FrameSurvey survey = survey_frames(frames, count, name, settings);
+  Picture picture(settings.picture);
+  const auto first = with_frame(name(0), [&] { return frame_of(frames, 0); });
+  auto surveying =
+    std::async(std::launch::async, [&] { return survey_frames(frames, count, name, settings); });
+  // The first picture takes as long as several, as the window's programs are compiled for it.
+  with_frame(name(0), [&] { picture.draw(first); });
+  FrameSurvey survey = surveying.get();
   // Reading the files gathered the times, unless one has none.
   const bool timed = times.size() == static_cast<std::size_t>(count);
-  of_picture.range = of_picture.range.value_or(survey.values.range());
-  Picture picture(of_picture);
+  const Range range = settings.picture.range.value_or(survey.values.range());
+  picture.set_range(range);
   picture.set_framing(survey.framing);
   picture.set_neutral(survey.neutral);
   picture.set_least_arrow_speed(least_arrow_speed * survey.speed);
   picture.set_time_format("t = " + number_format(times));
   prepare_folder(settings.directory);
-  draw_frames(picture, frames, count, name, timed ? times : std::vector<double>{}, settings);
+  FilmOrNote film;
+  if (settings.mp4)
+  {
+    film = start_film(settings, frame_rate(count));
+  }
+  const FrameSource kept_or_asked_for = [&](int i)
+  {
+    const auto k = static_cast<std::size_t>(i);
+    return k < survey.kept.size() ? std::exchange(survey.kept[k], nullptr) : frames(i);
+  };
+  draw_frames(picture, kept_or_asked_for, count, name, timed ? times : std::vector<double>{},
+    settings, film.film.get());
   MovieReport report;
   report.frames = count;
-  report.color_range = *of_picture.range;
+  report.color_range = range;
   report.framing = survey.framing;
   if (settings.mp4)
   {
-    make_film(settings, count, report);
+    finish_film(settings, film, report);
   }
   return report;
 }

@@ -16,7 +16,8 @@ class vtkPolyData;
 namespace vesicle
 {
 
-/// The surface of frame i; asked for twice, in order (once to measure, once to draw).
+/// The surface of frame i, one of its own each time, as other threads ask for it: the first, then all
+/// in order to measure them, and again to draw them where they are too many to be kept.
 using FrameSource = std::function<vtkSmartPointer<vtkPolyData>(int)>;
 
 struct MovieSettings

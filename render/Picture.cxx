@@ -129,6 +129,16 @@ ColorScale color_scale(vtkPolyData* surface, const std::string& name,
     neutral ? *neutral : neutral_value(name, surface), array->GetNumberOfComponents() > 1);
 }
 
+vtkSmartPointer<vtkRenderWindow> off_screen_window(const std::array<int, 2>& size, int samples)
+{
+  auto window = vtkSmartPointer<vtkRenderWindow>::New();
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(samples);
+  window->SetSize(size[0], size[1]);
+  window->SwapBuffersOff(); // to show samples takes longer than to draw them
+  return window;
+}
+
 vtkSmartPointer<vtkImageData> grab_image(vtkRenderWindow* window)
 {
   vtkNew<vtkWindowToImageFilter> grab;
@@ -168,6 +178,7 @@ struct Picture::Stage
   ColorBar bar;
   VesicleActor vesicle;
   TextColumn texts;
+  vtkNew<vtkRenderer> ground; ///< nothing but the background
   vtkNew<vtkRenderer> renderer;
   std::vector<std::unique_ptr<CornerMarker>> markers;
   std::unique_ptr<SideChart> chart;
@@ -202,12 +213,12 @@ Picture::Stage::Stage(PictureSettings s)
 
 void Picture::Stage::set_up_window()
 {
+  // The whole is cleared at once, its parts would be by drawing over them.
   const auto& b = settings.background;
-  renderer->SetBackground(b[0], b[1], b[2]);
-  window = vtkSmartPointer<vtkRenderWindow>::New();
-  window->SetOffScreenRendering(1);
-  window->SetMultiSamples(settings.samples);
-  window->SetSize(settings.size[0], settings.size[1]);
+  ground->SetBackground(b[0], b[1], b[2]);
+  renderer->EraseOff();
+  window = off_screen_window(settings.size, settings.samples);
+  window->AddRenderer(ground);
   window->AddRenderer(renderer);
   if (settings.chart)
   {
@@ -215,6 +226,7 @@ void Picture::Stage::set_up_window()
     renderer->SetViewport(0, 0, left, 1);
     chart = std::make_unique<SideChart>(
       *settings.chart, std::array<double, 4>{ left, 0, 1, 1 }, settings.size);
+    chart->renderer()->EraseOff();
     window->AddRenderer(chart->renderer());
   }
 }
@@ -278,6 +290,11 @@ Picture::~Picture() = default;
 void Picture::set_framing(const Framing& framing)
 {
   stage_->framing = framing;
+}
+
+void Picture::set_range(const Range& range)
+{
+  stage_->settings.range = range;
 }
 
 void Picture::set_neutral(double value)

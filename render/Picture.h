@@ -55,7 +55,10 @@ void add_lamps(vtkRenderer* renderer);
 ColorScale color_scale(vtkPolyData* surface, const std::string& array,
   const std::optional<Range>& range, const std::optional<double>& neutral);
 
-/// What the window shows, RGB; a copy.
+/// A window off the screen. It doesn't show what it draws, so that grab_image alone can tell.
+vtkSmartPointer<vtkRenderWindow> off_screen_window(const std::array<int, 2>& size, int samples);
+
+/// What the window has drawn, RGB; a copy.
 vtkSmartPointer<vtkImageData> grab_image(vtkRenderWindow* window);
 
 /// Draws frames one after the other into one off-screen window. Throws InputError for settings
@@ -70,6 +73,8 @@ public:
 
   /// Fixes the zoom; without it every frame fills the picture.
   void set_framing(const Framing& framing);
+  /// Fixes the colours' range, where the settings don't.
+  void set_range(const Range& range);
   /// Fixes the value that neither colour has, see neutral_value; without it that of each frame.
   void set_neutral(double value);
   /// Each frame's longest arrow is as fast as its fastest point, but no slower than this: what is

@@ -7,8 +7,8 @@ class vtkImageData;
 namespace vesicle
 {
 
-/// Writes a PNG at a low zlib level (level 9 takes three times as long for a few per cent).
-/// The file appears when it is complete. Throws IoError naming it.
+/// Writes an image of bytes (1 to 4 a pixel) as PNG. The file appears when it is complete. Throws
+/// IoError naming it.
 void write_png(const std::filesystem::path& file, vtkImageData* image);
 
 }

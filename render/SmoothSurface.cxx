@@ -74,8 +74,9 @@ struct SmoothSurface::Lattice
   int parts;
   std::vector<ParametricPoint> added;
   std::map<std::array<int, 3>, int> on_edges; ///< smaller end, larger end, steps from the smaller
-  std::vector<std::array<int, 3>> triangles;
-  std::map<std::array<int, 2>, std::vector<int>> edges;
+  std::map<std::array<vtkIdType, 2>, std::vector<vtkIdType>> edges;
+  // Objects that stay the same from frame to frame: VTK then needn't look at them again.
+  vtkNew<vtkCellArray> triangles, lines;
   SparseMatrix value, du, dv;
   Collocation collocation;
 };
@@ -90,6 +91,10 @@ SmoothSurface::Lattice::Lattice(const Triangles& coarse, int points, int wanted_
   for (int element = 0; element < coarse.rows(); ++element)
   {
     cut(element);
+  }
+  for (const auto& [ends, line] : edges)
+  {
+    lines->InsertNextCell(static_cast<vtkIdType>(line.size()), line.data());
   }
   const BasisTable table = basis.tabulate(added);
   value = matrix_of(table, table.value);
@@ -137,7 +142,7 @@ int SmoothSurface::Lattice::point(int element, int i, int j)
 
 void SmoothSurface::Lattice::cut(int element)
 {
-  std::vector<std::vector<int>> rows(parts + 1);
+  std::vector<std::vector<vtkIdType>> rows(parts + 1);
   for (int j = 0; j <= parts; ++j)
   {
     for (int i = 0; i + j <= parts; ++i)
@@ -149,14 +154,14 @@ void SmoothSurface::Lattice::cut(int element)
   {
     for (int i = 0; i + j < parts; ++i)
     {
-      triangles.push_back({ rows[j][i], rows[j][i + 1], rows[j + 1][i] });
+      triangles->InsertNextCell({ rows[j][i], rows[j][i + 1], rows[j + 1][i] });
       if (i + j + 1 < parts)
       {
-        triangles.push_back({ rows[j][i + 1], rows[j + 1][i + 1], rows[j + 1][i] });
+        triangles->InsertNextCell({ rows[j][i + 1], rows[j + 1][i + 1], rows[j + 1][i] });
       }
     }
   }
-  std::vector<int> first = rows[0], second, third;
+  std::vector<vtkIdType> first = rows[0], second, third;
   for (int j = 0; j <= parts; ++j)
   {
     second.push_back(rows[j][parts - j]);
@@ -212,12 +217,7 @@ SmoothMesh SmoothSurface::refine(vtkPolyData* coarse, const std::vector<std::str
   const Points points = lattice_->refined(mesh.points);
   fine.surface = vtkSmartPointer<vtkPolyData>::New();
   fine.surface->SetPoints(to_vtk_points(points));
-  vtkNew<vtkCellArray> cells;
-  for (const auto& t : lattice_->triangles)
-  {
-    cells->InsertNextCell({ t[0], t[1], t[2] });
-  }
-  fine.surface->SetPolys(cells);
+  fine.surface->SetPolys(lattice_->triangles);
   fine.surface->GetPointData()->SetNormals(to_array("Normals", lattice_->normals(mesh.points)));
   for (const auto& name : arrays)
   {
@@ -228,16 +228,7 @@ SmoothMesh SmoothSurface::refine(vtkPolyData* coarse, const std::vector<std::str
   }
   fine.edges = vtkSmartPointer<vtkPolyData>::New();
   fine.edges->SetPoints(fine.surface->GetPoints());
-  vtkNew<vtkCellArray> lines;
-  for (const auto& [ends, line] : lattice_->edges)
-  {
-    lines->InsertNextCell(static_cast<int>(line.size()));
-    for (const int id : line)
-    {
-      lines->InsertCellPoint(id);
-    }
-  }
-  fine.edges->SetLines(lines);
+  fine.edges->SetLines(lattice_->lines);
   return fine;
 }
 

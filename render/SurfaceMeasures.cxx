@@ -2,6 +2,8 @@
 
 #include "solver/Errors.h"
 #include "solver/mesh/MeshIntegrals.h"
+#include "solver/mesh/SelfCrossing.h"
+#include "solver/mesh/Topology.h"
 #include "solver/mesh/VertexNormals.h"
 
 #include "vtkCellArray.h"
@@ -128,6 +130,14 @@ double enclosed_volume(vtkPolyData* surface)
 {
   const TriangleMesh mesh = fan_mesh(surface);
   return encloses_a_volume(mesh) ? std::abs(flat_volume(mesh)) : 0;
+}
+
+bool hides_its_inside(vtkPolyData* surface)
+{
+  const TriangleMesh mesh = fan_mesh(surface);
+  const Topology kind = topology(mesh);
+  return kind.closed && kind.manifold && kind.oriented && kind.components == 1 &&
+    flat_volume(mesh) > 0 && !find_self_crossing(mesh);
 }
 
 Point3 centroid_velocity(vtkPolyData* surface, vtkDataArray* velocity)

@@ -75,6 +75,8 @@ void VesicleActor::show(vtkPolyData* surface)
     mapper_->GetLookupTable()->SetVectorModeToMagnitude();
   }
   mapper_->SelectColorArray(look_.color.c_str());
+  // What its front hides needn't be drawn, half of what there is.
+  actor_->GetProperty()->SetBackfaceCulling(hides_its_inside(surface));
   if (look_.smooth)
   {
     const SmoothMesh fine = smooth_.refine(surface, { look_.color });

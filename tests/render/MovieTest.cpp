@@ -174,6 +174,38 @@ TEST(Movie, TheFilmHasEveryFrame)
   }
 }
 
+TEST(Movie, OfAFilmThatIsGivenUpNothingIsLeft)
+{
+  const auto ffmpeg = find_ffmpeg();
+  if (!ffmpeg)
+  {
+    GTEST_SKIP() << "ffmpeg is not installed";
+  }
+  const TemporaryFolder folder;
+  {
+    Picture picture(small_movie(folder.path()).picture);
+    picture.draw(moving_frame(0));
+    Film film(*ffmpeg, picture.settings().size, frame_rate(100), folder / "film.mp4");
+    film.add(picture.image());
+  }
+  EXPECT_TRUE(fs::is_empty(folder.path()));
+}
+
+TEST(Movie, AProgramThatReadsNoPictureIsAnError)
+{
+  const TemporaryFolder folder;
+  Picture picture(small_movie(folder.path()).picture);
+  picture.draw(moving_frame(0));
+  Film film("/bin/false", picture.settings().size, frame_rate(100), folder / "film.mp4");
+  for (int i = 0; i < 10; ++i)
+  {
+    film.add(picture.image());
+  }
+  const auto message = message_of<IoError>([&] { film.finish(); });
+  EXPECT_NE(message.find("film.mp4: can't be written: ffmpeg stopped"), std::string::npos)
+    << message;
+}
+
 TEST(Movie, WithoutFfmpegThereIsANote)
 {
   const EmptyPath no_programs;

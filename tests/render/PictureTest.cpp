@@ -3,7 +3,11 @@
 #include "TestSurfaces.h"
 
 #include "render/PngFile.h"
+#include "render/SurfaceMeasures.h"
 #include "solver/Errors.h"
+
+#include "vtkAppendPolyData.h"
+#include "vtkPNGReader.h"
 
 #include <gtest/gtest.h>
 #include <limits>
@@ -290,6 +294,45 @@ TEST(Picture, ImpossibleSettingsAreErrors)
   settings.view = "above";
   EXPECT_NE(refusal(settings, surface).find("above"), std::string::npos);
   EXPECT_NE(refusal(small(), vtkNew<vtkPolyData>()), "");
+}
+
+// A speck inside makes it a surface of two pieces, which is drawn with its inner side.
+TEST(Picture, TheInnerSideOfABodyIsNeverSeen)
+{
+  const auto surface = make_surface();
+  vtkNew<vtkAppendPolyData> with_speck;
+  const auto speck = make_surface();
+  for (vtkIdType i = 0; i < speck->GetNumberOfPoints(); ++i)
+  {
+    speck->GetPoints()->SetPoint(
+      i, 0.01 * speck->GetPoint(i)[0], 0.01 * speck->GetPoint(i)[1], 0.01 * speck->GetPoint(i)[2]);
+  }
+  with_speck->AddInputData(surface);
+  with_speck->AddInputData(speck);
+  with_speck->Update();
+  ASSERT_TRUE(hides_its_inside(surface));
+  ASSERT_FALSE(hides_its_inside(with_speck->GetOutput()));
+  PictureSettings settings;
+  settings.range = Range{ 0, 2 };
+  const auto image = drawn(settings, surface);
+  // Where the outline cuts a pixel, a sample may fall to either side.
+  EXPECT_LT(difference(image, drawn(settings, with_speck->GetOutput())), 1e-4);
+}
+
+TEST(PngFile, HoldsEveryPixel)
+{
+  const TemporaryFolder folder;
+  PictureSettings settings;
+  settings.size = { 321, 181 };
+  for (const auto& image : { drawn(settings, make_surface()), drawn(small(), make_surface(0, -1)) })
+  {
+    write_png(folder / "picture.png", image);
+    vtkNew<vtkPNGReader> reader;
+    reader->SetFileName((folder / "picture.png").c_str());
+    reader->Update();
+    ASSERT_EQ(size_of(reader->GetOutput()), size_of(image));
+    EXPECT_EQ(difference(reader->GetOutput(), image), 0);
+  }
 }
 
 TEST(PngFile, ReportsAFullDiskAndAMissingFolder)

@@ -76,7 +76,7 @@ TEST(SmoothSurface, PassesThroughTheVerticesAndKeepsTheirValues)
 
 TEST(SmoothSurface, IsClosedAndOutward)
 {
-  SmoothSurface smooth;
+  SmoothSurface smooth(20000);
   const SmoothMesh fine = smooth.refine(sphere(80), {});
   vtkNew<vtkFeatureEdges> open;
   open->SetInputData(fine.surface);
