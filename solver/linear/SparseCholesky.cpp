@@ -5,7 +5,6 @@
 #include "solver/linear/DensePanel.h"
 #include "solver/linear/FlushDenormals.h"
 
-#include <ranges>
 
 namespace vesicle
 {
@@ -113,8 +112,9 @@ void SupernodalCholesky<Scalar>::solve_column(Scalar* column) const
       column[s.rows[i]] = below[i];
   }
   Eigen::Map<Vector>(column, pivots_.size()).array() /= pivots_.array();
-  for (const Supernode& s : std::views::reverse(supernodes))
+  for (auto last = supernodes.rbegin(); last != supernodes.rend(); ++last)
   {
+    const Supernode& s = *last;
     const Scalar* panel = panels_.data() + s.offset;
     const int rows = static_cast<int>(s.rows.size());
     for (int i = 0; i < rows; ++i)
