@@ -17,29 +17,35 @@ constexpr int fewest_tasks = 32;
 
 }
 
+template<PointKind kind>
 template<class Real>
 template<class To>
-DirectSum::Places<To> DirectSum::Places<Real>::cast() const
+typename DirectPointSum<kind>::template Places<To> DirectPointSum<kind>::Places<Real>::cast() const
 {
   return { sources.template cast<To>(), { targets.begin(), targets.end() } };
 }
 
 // Around the targets' mean, where single precision has the most digits.
-DirectSum::DirectSum(const RowVectors& sources, const Points& targets)
+template<PointKind kind>
+DirectPointSum<kind>::DirectPointSum(const RowVectors& sources, const Points& targets)
 {
   const Eigen::RowVector3d origin = targets.colwise().mean();
   full_.sources = (sources.rowwise() - origin).array();
   full_.targets = in_blocks<double>(targets.rowwise() - origin);
-  single_ = full_.cast<float>();
+  single_ = full_.template cast<float>();
 }
 
+template<PointKind kind>
 template<class Real>
-void DirectSum::add(const Places<Real>& at, const RowVectors& forces, Points& velocity) const
+void DirectPointSum<kind>::add(const Places<Real>& at,
+  const Eigen::Ref<const Eigen::MatrixXd>& strengths, Points& velocity) const
 {
-  const Eigen::Array<Real, Eigen::Dynamic, 3> f = forces.array().template cast<Real>();
+  constexpr int components = static_cast<int>(kind);
+  const Eigen::Array<Real, Eigen::Dynamic, components> strength =
+    strengths.array().template cast<Real>();
   const int blocks = static_cast<int>(at.targets.size()) / block_size,
             a_task = std::clamp(blocks / fewest_tasks, 1, most_blocks_a_task),
-            sources = static_cast<int>(f.rows()), n = static_cast<int>(velocity.rows());
+            sources = static_cast<int>(strength.rows()), n = static_cast<int>(velocity.rows());
   parallel_for((blocks + a_task - 1) / a_task,
     [&](int task)
     {
@@ -47,12 +53,11 @@ void DirectSum::add(const Places<Real>& at, const RowVectors& forces, Points& ve
       std::array<Real, most_blocks_a_task * block_size> sum{};
       for (int q = 0; q < sources; q += chunk)
       {
-        const auto& x = at.sources;
-        const PointForces<Real> forces_of_chunk{ &x(q, 0), &x(q, 1), &x(q, 2), &f(q, 0), &f(q, 1),
-          &f(q, 2), std::min(chunk, sources - q) };
+        const auto of_chunk =
+          point_sources<components>(at.sources, strength, q, std::min(chunk, sources - q));
         for (int b = 0; b < count; ++b)
-          add_point_forces(forces_of_chunk, at.targets.data() + (first + b) * block_size,
-            sum.data() + b * block_size);
+          add_points(
+            of_chunk, at.targets.data() + (first + b) * block_size, sum.data() + b * block_size);
       }
       for (int i = first * sum_lanes; i < std::min((first + count) * sum_lanes, n); ++i)
         for (int c = 0; c < 3; ++c)
@@ -60,12 +65,17 @@ void DirectSum::add(const Places<Real>& at, const RowVectors& forces, Points& ve
     });
 }
 
-void DirectSum::add(const RowVectors& forces, Precision precision, Points& velocity) const
+template<PointKind kind>
+void DirectPointSum<kind>::add(
+  const Eigen::Ref<const Eigen::MatrixXd>& strengths, Precision precision, Points& velocity) const
 {
   if (precision == Precision::full)
-    add(full_, forces, velocity);
+    add(full_, strengths, velocity);
   else
-    add(single_, forces, velocity);
+    add(single_, strengths, velocity);
 }
+
+template class DirectPointSum<PointKind::force>;
+template class DirectPointSum<PointKind::stresslet>;
 
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Velocities that forces at points make at other points, Σ G f: the part of the single layer that
+// Velocities that forces or stresslets at points make at other points: the part of the layers that
 // knows nothing of surfaces.
 
 #include "solver/mesh/TriangleMesh.h"
@@ -18,22 +18,34 @@ enum class Precision
 /// Relative to the velocity, root mean square: points on a sphere and random forces leave 7e-6.
 inline constexpr double single_precision_error = 1e-5;
 
+/// What acts at a source, by its number of components: a force f, whose velocity is G f, or a
+/// symmetric tensor s (xx, xy, xz, yy, yz, zz), whose velocity is X (X·s X)/r⁵.
+enum class PointKind
+{
+  force = 3,
+  stresslet = 6
+};
+
 /// Where the points are is set once. The place of a tree, an FMM or another device.
 class PointSum
 {
 public:
   virtual ~PointSum() = default;
-  /// velocity += Σ G f at every target, N by 3; `forces`: #sources by 3, with 1/8πμ in them.
-  virtual void add(const RowVectors& forces, Precision precision, Points& velocity) const = 0;
+  /// velocity += the sum over all sources at every target, N by 3; `strengths`: a row a source, with
+  /// the kernel's factor in them.
+  virtual void add(const Eigen::Ref<const Eigen::MatrixXd>& strengths, Precision precision,
+    Points& velocity) const = 0;
 };
 
 /// Pair by pair. No target may be a source. Threads share the targets; results do not depend on their
 /// number.
-class DirectSum final : public PointSum
+template<PointKind kind>
+class DirectPointSum final : public PointSum
 {
 public:
-  DirectSum(const RowVectors& sources, const Points& targets);
-  void add(const RowVectors& forces, Precision precision, Points& velocity) const override;
+  DirectPointSum(const RowVectors& sources, const Points& targets);
+  void add(const Eigen::Ref<const Eigen::MatrixXd>& strengths, Precision precision,
+    Points& velocity) const override;
 
 private:
   template<class Real>
@@ -45,10 +57,15 @@ private:
     Places<To> cast() const;
   };
   template<class Real>
-  void add(const Places<Real>& at, const RowVectors& forces, Points& velocity) const;
+  void add(const Places<Real>& at, const Eigen::Ref<const Eigen::MatrixXd>& strengths,
+    Points& velocity) const;
 
   Places<double> full_;
   Places<float> single_;
 };
+using DirectSum = DirectPointSum<PointKind::force>;
+
+extern template class DirectPointSum<PointKind::force>;
+extern template class DirectPointSum<PointKind::stresslet>;
 
 }

@@ -275,10 +275,12 @@ Eigen::VectorXd StokesOperator::apply(std::span<const ForceDensity> densities) c
   return velocity.reshaped<Eigen::RowMajor>();
 }
 
-LayerCorrections StokesOperator::corrections(int source) const
+// add(rows, begin, end, targets, mask, places, sums): a kernel's.
+template<class Sources, class Add>
+LayerCorrections StokesOperator::corrections(
+  int source, const RuleSources<Sources>& sources, Add add) const
 {
   const LayerRules& rules = *surfaces_[source].rules;
-  const RuleSources<StokesletSources> sources = node_sources(source);
   LayerCorrections result(rules);
   parallel_for(static_cast<int>(rules.groups().size()),
     [&](int number)
@@ -291,10 +293,31 @@ LayerCorrections StokesOperator::corrections(int source) const
         place[group.nodes[k]] = static_cast<int>(k);
       double* sum = result.group(number);
       add_corrections(group, rules, sources,
-        [&](const StokesletSources& rows, int begin, int end, const LaneMask& mask)
-        { add_stokeslets(rows, begin, end, position.data(), mask.data(), place.data(), sum); });
+        [&](const Sources& rows, int begin, int end, const LaneMask& mask)
+        { add(rows, begin, end, position.data(), mask.data(), place.data(), sum); });
     });
   return result;
+}
+
+LayerCorrections StokesOperator::corrections(int source) const
+{
+  return corrections(source, node_sources(source), add_stokeslets);
+}
+
+LayerCorrections StokesOperator::double_layer_corrections(int source) const
+{
+  const auto& [regular, near, singular] = points_[source];
+  const RowVectors of_regular = regular.surface.cross.rowwise().normalized(),
+                   of_near = near.surface.cross.rowwise().normalized(),
+                   of_singular = singular.surface.cross.rowwise().normalized();
+  const auto with_normals = [](const StokesletSources& rows, const RowVectors& normals) {
+    return StressletSources{ rows, normals.data(), static_cast<int>(normals.rows()) };
+  };
+  const RuleSources<StokesletSources> rows = node_sources(source);
+  return corrections(source,
+    RuleSources<StressletSources>{ with_normals(rows.regular, of_regular),
+      with_normals(rows.near, of_near), with_normals(rows.singular, of_singular) },
+    add_stresslets);
 }
 
 Eigen::VectorXd multiply(const DenseMatrix& A, const Eigen::VectorXd& x, Eigen::Index first)

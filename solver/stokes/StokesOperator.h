@@ -66,6 +66,8 @@ public:
 
   /// What a source's near and singular rules add to its regular one, at its own vertices.
   LayerCorrections corrections(int source) const;
+  /// The same of the double layer, whose kernel is X X (X·n)/8π r⁵ here (DoubleLayer.h).
+  LayerCorrections double_layer_corrections(int source) const;
   const LayerPoints& regular_points(int source) const { return points_[source].regular; }
   /// The vertices of all surfaces, N by 3.
   Points targets() const;
@@ -74,6 +76,8 @@ private:
   RuleSources<StokesletSources> node_sources(int source) const;
   template<class Write>
   void for_each_group(int source, Write write) const;
+  template<class Sources, class Add>
+  LayerCorrections corrections(int source, const RuleSources<Sources>& sources, Add add) const;
 
   struct Rules
   {

@@ -1,5 +1,6 @@
 #pragma once
-// Targets as the kernel takes them (kernels/StokesletKernel.h): in blocks of sum_lanes, x of all, y, z.
+// Sources and targets as the kernel takes them (kernels/StokesletKernel.h): arrays of components;
+// blocks of sum_lanes, x of all, y, z.
 
 #include "solver/stokes/kernels/StokesletKernel.h"
 #include "solver/surface/SurfaceIntegrals.h"
@@ -13,6 +14,19 @@ namespace vesicle
 inline constexpr int block_size = 3 * sum_lanes; ///< numbers
 /// So many blocks see the same sources while these are in the cache.
 inline constexpr int most_blocks_a_task = 4;
+
+/// `count` rows from `first` on of positions and strengths, a component a column.
+template<int components, class Positions, class Strengths>
+auto point_sources(const Positions& x, const Strengths& s, int first, int count)
+{
+  using Real = typename Positions::Scalar;
+  PointSources<Real, components> sources{ {}, {}, count };
+  for (int c = 0; c < 3; ++c)
+    sources.position[c] = &x(first, c);
+  for (int c = 0; c < components; ++c)
+    sources.strength[c] = &s(first, c);
+  return sources;
+}
 
 /// Where component c of row i is.
 inline int place_in_blocks(int i, int c)

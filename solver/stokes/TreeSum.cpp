@@ -7,8 +7,9 @@
 namespace vesicle
 {
 
+template<PointKind kind>
 template<class Real>
-TreeSum::Tree<Real>::Tree(const RowVectors& from, const Points& to, double tolerance)
+TreePointSum<kind>::Tree<Real>::Tree(const RowVectors& from, const Points& to, double tolerance)
 {
   // Around the targets' mean, where single precision has the most digits.
   const Eigen::RowVector3d origin = to.colwise().mean();
@@ -42,10 +43,15 @@ TreeSum::Tree<Real>::Tree(const RowVectors& from, const Points& to, double toler
   }
 }
 
+template<PointKind kind>
 template<class Real>
-void TreeSum::Tree<Real>::add(const RowVectors& forces, Points& velocity) const
+void TreePointSum<kind>::Tree<Real>::add(
+  const Eigen::Ref<const Eigen::MatrixXd>& strengths, Points& velocity) const
 {
-  const ThreeColumns<Real> f = sources->up(forces);
+  constexpr int components = static_cast<int>(kind);
+  Eigen::Array<Real, Eigen::Dynamic, components> f(sources->positions().rows(), components);
+  for (int c = 0; c < components; c += 3)
+    f.template middleCols<3>(c) = sources->up(strengths.middleCols<3>(c)).array();
   ThreeColumns<Real> u = ThreeColumns<Real>::Zero(targets->positions().rows(), 3);
   const auto& x = source_positions;
   parallel_for(tasks.size(),
@@ -55,11 +61,9 @@ void TreeSum::Tree<Real>::add(const RowVectors& forces, Points& velocity) const
       std::array<Real, most_blocks_a_task * block_size> sum{};
       for (const RowRange& rows : acting[task.acting])
       {
-        const int q = rows.first;
+        const auto of_range = point_sources<components>(x, f, rows.first, rows.count);
         for (int b = 0; b < task.blocks; ++b)
-          add_point_forces(
-            { &x(q, 0), &x(q, 1), &x(q, 2), &f(q, 0), &f(q, 1), &f(q, 2), rows.count },
-            target_positions.data() + (task.first_block + b) * block_size,
+          add_points(of_range, target_positions.data() + (task.first_block + b) * block_size,
             sum.data() + b * block_size);
       }
       for (int i = 0; i < task.blocks * sum_lanes; ++i)
@@ -69,18 +73,24 @@ void TreeSum::Tree<Real>::add(const RowVectors& forces, Points& velocity) const
   targets->down(std::move(u), velocity);
 }
 
-TreeSum::TreeSum(const RowVectors& sources, const Points& targets, double tolerance)
+template<PointKind kind>
+TreePointSum<kind>::TreePointSum(const RowVectors& sources, const Points& targets, double tolerance)
   : full_(sources, targets, tolerance),
     single_(sources, targets, std::max(tolerance, single_precision_error))
 {
 }
 
-void TreeSum::add(const RowVectors& forces, Precision precision, Points& velocity) const
+template<PointKind kind>
+void TreePointSum<kind>::add(
+  const Eigen::Ref<const Eigen::MatrixXd>& strengths, Precision precision, Points& velocity) const
 {
   if (precision == Precision::full)
-    full_.add(forces, velocity);
+    full_.add(strengths, velocity);
   else
-    single_.add(forces, velocity);
+    single_.add(strengths, velocity);
 }
+
+template class TreePointSum<PointKind::force>;
+template class TreePointSum<PointKind::stresslet>;
 
 }

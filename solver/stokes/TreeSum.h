@@ -1,6 +1,6 @@
 #pragma once
-// Sums of point forces at less than one operation a pair: clusters of sources act on clusters of
-// targets from afar through proxies (ClusterTree.h).
+// Sums over points at less than one operation a pair: clusters of sources act on clusters of targets
+// from afar through proxies (ClusterTree.h).
 
 #include "solver/stokes/PointSum.h"
 #include "solver/stokes/ProxyTree.h"
@@ -12,13 +12,15 @@ namespace vesicle
 
 /// No target may be a source. Threads share clusters and targets; results do not depend on their
 /// number.
-class TreeSum final : public PointSum
+template<PointKind kind>
+class TreePointSum final : public PointSum
 {
 public:
   /// `tolerance` is what Precision::full leaves, about, root mean square and relative to the velocity.
   /// With Precision::single clusters leave no less than single_precision_error, and so does rounding.
-  TreeSum(const RowVectors& sources, const Points& targets, double tolerance);
-  void add(const RowVectors& forces, Precision precision, Points& velocity) const override;
+  TreePointSum(const RowVectors& sources, const Points& targets, double tolerance);
+  void add(const Eigen::Ref<const Eigen::MatrixXd>& strengths, Precision precision,
+    Points& velocity) const override;
 
 private:
   /// Targets and sources that stand for clusters, one acting on the other.
@@ -31,7 +33,7 @@ private:
   struct Tree
   {
     Tree(const RowVectors& sources, const Points& targets, double tolerance);
-    void add(const RowVectors& forces, Points& velocity) const;
+    void add(const Eigen::Ref<const Eigen::MatrixXd>& strengths, Points& velocity) const;
 
     std::unique_ptr<ProxyTree<Real>> sources, targets;
     Eigen::Array<Real, Eigen::Dynamic, 3> source_positions;
@@ -42,5 +44,9 @@ private:
   Tree<double> full_;
   Tree<float> single_;
 };
+using TreeSum = TreePointSum<PointKind::force>;
+
+extern template class TreePointSum<PointKind::force>;
+extern template class TreePointSum<PointKind::stresslet>;
 
 }

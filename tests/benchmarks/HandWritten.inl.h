@@ -41,17 +41,19 @@ void add_stokeslets(const PointForces<Real>& s, const Real* targets, Real* veloc
       std::memcpy(&x[v][c], targets + c * row + v * lanes, sizeof(Vector));
       std::memcpy(&u[v][c], velocities + c * row + v * lanes, sizeof(Vector));
     }
+  const auto& [sx, sy, sz] = s.position;
+  const auto& [sfx, sfy, sfz] = s.strength;
   for (int q = 0; q < s.count; ++q)
 #pragma GCC unroll 4
     for (int v = 0; v < side_by_side; ++v)
     {
-      const Vector dx = s.x[q] - x[v][0], dy = s.y[q] - x[v][1], dz = s.z[q] - x[v][2];
+      const Vector dx = sx[q] - x[v][0], dy = sy[q] - x[v][1], dz = sz[q] - x[v][2];
       Vector over_r;
       inverse_root(over_r, dx * dx + dy * dy + dz * dz);
-      const Vector along = (s.fx[q] * dx + s.fy[q] * dy + s.fz[q] * dz) * (over_r * over_r);
-      u[v][0] += over_r * (s.fx[q] + along * dx);
-      u[v][1] += over_r * (s.fy[q] + along * dy);
-      u[v][2] += over_r * (s.fz[q] + along * dz);
+      const Vector along = (sfx[q] * dx + sfy[q] * dy + sfz[q] * dz) * (over_r * over_r);
+      u[v][0] += over_r * (sfx[q] + along * dx);
+      u[v][1] += over_r * (sfy[q] + along * dy);
+      u[v][2] += over_r * (sfz[q] + along * dz);
     }
   for (int v = 0; v < side_by_side; ++v)
     for (int c = 0; c < 3; ++c)

@@ -15,7 +15,7 @@ struct HandWritten
   /// Multiplications and additions in registers alone; returns what keeps them from being left out.
   Real (*multiply_add)(long rounds);
   long flop_a_round;
-  /// As add_point_forces, of as many targets.
+  /// As add_points, of as many targets.
   void (*add_stokeslets)(const PointForces<Real>& forces, const Real* targets, Real* velocities);
   int targets;
 };

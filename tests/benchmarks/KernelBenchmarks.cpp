@@ -47,7 +47,8 @@ struct Places
   }
   PointForces<Real> forces() const
   {
-    return { x.data(), y.data(), z.data(), force.data(), force.data(), force.data(), count };
+    return { { x.data(), y.data(), z.data() }, { force.data(), force.data(), force.data() },
+      count };
   }
   /// The largest error of velocities, relative.
   double error(const std::vector<Real>& velocities) const

@@ -36,6 +36,12 @@ void add_stokeslets(const StokesletSources& sources, int begin, int end, const d
   loops().add_stokeslets(sources, begin, end, targets, mask, place, sum);
 }
 
+void add_stresslets(const StressletSources& sources, int begin, int end, const double* targets,
+  const double* mask, const int* place, double* sum)
+{
+  loops().add_stresslets(sources, begin, end, targets, mask, place, sum);
+}
+
 void multiply_stokeslets(const double* sum, int nodes, const double* vectors, double* velocities)
 {
   loops().multiply_stokeslets(sum, nodes, vectors, velocities);
@@ -47,14 +53,24 @@ void add_velocities(const ForceSources& sources, int begin, int end, const doubl
   loops().add_velocities(sources, begin, end, targets, mask, sum);
 }
 
-void add_point_forces(const PointForces<double>& forces, const double* targets, double* velocities)
+void add_points(const PointForces<double>& sources, const double* targets, double* velocities)
 {
-  loops().add_forces_double(forces, targets, velocities);
+  loops().add_forces_double(sources, targets, velocities);
 }
 
-void add_point_forces(const PointForces<float>& forces, const float* targets, float* velocities)
+void add_points(const PointForces<float>& sources, const float* targets, float* velocities)
 {
-  loops().add_forces_float(forces, targets, velocities);
+  loops().add_forces_float(sources, targets, velocities);
+}
+
+void add_points(const PointStresslets<double>& sources, const double* targets, double* velocities)
+{
+  loops().add_stresslets_double(sources, targets, velocities);
+}
+
+void add_points(const PointStresslets<float>& sources, const float* targets, float* velocities)
+{
+  loops().add_stresslets_float(sources, targets, velocities);
 }
 
 double dot(const double* a, const double* b, long n)

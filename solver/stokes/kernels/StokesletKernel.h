@@ -1,7 +1,8 @@
 #pragma once
-// The inner loops of the single layer. Compiled for several instruction sets (StokesletLoops.h); the
-// widest that the processor has is chosen at run time.
+// The inner loops of the single and the double layer. Compiled for several instruction sets
+// (StokesletLoops.h); the widest that the processor has is chosen at run time.
 
+#include <array>
 #include <numbers>
 
 namespace vesicle
@@ -14,6 +15,8 @@ inline constexpr int stokeslet_lanes = 8;
 inline constexpr int stokeslet_components = 6;
 /// 1/8π of the Stokeslet, μ = 1.
 inline constexpr double kernel_factor = 0.125 * std::numbers::inv_pi;
+/// 3/4π of the double layer's kernel X X (X·n)/r⁵, over 1/8π.
+inline constexpr double double_layer_factor = 6;
 
 /// Source points: the rows of a basis table at a shape.
 struct StokesletSources
@@ -30,7 +33,18 @@ struct StokesletSources
 void add_stokeslets(const StokesletSources& sources, int begin, int end, const double* targets,
   const double* mask, const int* place, double* sum);
 
-/// What add_stokeslets has made, at places 0 to nodes − 1, times their vectors (3 a node): the
+/// Source points of the double layer.
+struct StressletSources : StokesletSources
+{
+  const double* normal; ///< of every row: n, 3 numbers, one component after the other
+  int rows;
+};
+
+/// As add_stokeslets, of weight · N_k · X Xᵀ (X·n)/r⁵, symmetric as G is.
+void add_stresslets(const StressletSources& sources, int begin, int end, const double* targets,
+  const double* mask, const int* place, double* sum);
+
+/// What add_stokeslets or add_stresslets has made, at places 0 to nodes − 1, times their vectors (3 a node): the
 /// velocities of the lanes, x, y, z (3 · lanes).
 void multiply_stokeslets(const double* sum, int nodes, const double* vectors, double* velocities);
 
@@ -47,21 +61,31 @@ struct ForceSources : StokesletSources
 void add_velocities(const ForceSources& sources, int begin, int end, const double* targets,
   const double* mask, double* sum);
 
-/// Forces at points, one array a component.
-template<class Real>
-struct PointForces
+/// What acts at points, one array a component.
+template<class Real, int components>
+struct PointSources
 {
-  const Real *x, *y, *z, *fx, *fy, *fz;
+  std::array<const Real*, 3> position;
+  std::array<const Real*, components> strength;
   int count;
 };
+/// f.
+template<class Real>
+using PointForces = PointSources<Real, 3>;
+/// xx, xy, xz, yy, yz, zz of a symmetric tensor s.
+template<class Real>
+using PointStresslets = PointSources<Real, 6>;
 
-/// Targets of a sum of point forces.
+/// Targets of a sum over points.
 inline constexpr int sum_lanes = 16;
 
-/// Σ G f at the targets x, y, z of sum_lanes each is added to `velocities`, which lie as they do.
-/// A target must not be a source. Single precision leaves an error of some 1e-5 of the velocity.
-void add_point_forces(const PointForces<double>& forces, const double* targets, double* velocities);
-void add_point_forces(const PointForces<float>& forces, const float* targets, float* velocities);
+/// Σ G f, or Σ X (X·s X)/r⁵, at the targets x, y, z of sum_lanes each is added to `velocities`, which
+/// lie as they do. A target must not be a source. Single precision leaves an error of some 1e-5 of
+/// the velocity.
+void add_points(const PointForces<double>& sources, const double* targets, double* velocities);
+void add_points(const PointForces<float>& sources, const float* targets, float* velocities);
+void add_points(const PointStresslets<double>& sources, const double* targets, double* velocities);
+void add_points(const PointStresslets<float>& sources, const float* targets, float* velocities);
 
 /// Σ a_i b_i.
 double dot(const double* a, const double* b, long n);

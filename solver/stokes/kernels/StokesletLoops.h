@@ -10,6 +10,8 @@ struct StokesletLoops
 {
   void (*add_stokeslets)(const StokesletSources& sources, int begin, int end, const double* targets,
     const double* mask, const int* place, double* sum);
+  void (*add_stresslets)(const StressletSources& sources, int begin, int end, const double* targets,
+    const double* mask, const int* place, double* sum);
   void (*multiply_stokeslets)(
     const double* sum, int nodes, const double* vectors, double* velocities);
   void (*add_velocities)(const ForceSources& sources, int begin, int end, const double* targets,
@@ -18,6 +20,10 @@ struct StokesletLoops
     const PointForces<double>& forces, const double* targets, double* velocities);
   void (*add_forces_float)(
     const PointForces<float>& forces, const float* targets, float* velocities);
+  void (*add_stresslets_double)(
+    const PointStresslets<double>& stresslets, const double* targets, double* velocities);
+  void (*add_stresslets_float)(
+    const PointStresslets<float>& stresslets, const float* targets, float* velocities);
   double (*dot)(const double* a, const double* b, long n);
 };
 

@@ -150,8 +150,41 @@ VESICLE_INLINE int group_end(const StokesletSources& s, int q, int end)
   return last;
 }
 
-VESICLE_INLINE void add_part_of_stokeslets(const StokesletSources& s, int begin, int end,
-  const double* targets, const double* mask, const int* place, double* sum)
+// xx, xy, xz, yy, yz, zz of the kernel between a source point and the targets.
+VESICLE_INLINE void components(Lanes g[6], const StokesletSources& s, int q, const Targets& t)
+{
+  Pair p;
+  evaluate(p, s, q, t);
+  const Lanes hx = p.over_r3 * p.dx, hy = p.over_r3 * p.dy, hz = p.over_r3 * p.dz;
+  g[0] = p.over_r + hx * p.dx;
+  g[1] = hx * p.dy;
+  g[2] = hx * p.dz;
+  g[3] = p.over_r + hy * p.dy;
+  g[4] = hy * p.dz;
+  g[5] = p.over_r + hz * p.dz;
+}
+
+VESICLE_INLINE void components(Lanes g[6], const StressletSources& s, int q, const Targets& t)
+{
+  const Lanes dx = s.x[q] - t.x, dy = s.y[q] - t.y, dz = s.z[q] - t.z;
+  Lanes inverse;
+  inverse_root(inverse, dx * dx + dy * dy + dz * dz);
+  const int n = s.rows;
+  const Lanes square = inverse * inverse,
+              factor = s.weight[q] * t.mask * inverse * square * square *
+    (s.normal[q] * dx + s.normal[q + n] * dy + s.normal[q + 2 * n] * dz);
+  const Lanes hx = factor * dx, hy = factor * dy, hz = factor * dz;
+  g[0] = hx * dx;
+  g[1] = hx * dy;
+  g[2] = hx * dz;
+  g[3] = hy * dy;
+  g[4] = hy * dz;
+  g[5] = hz * dz;
+}
+
+template<class Sources>
+VESICLE_INLINE void add_part_to_nodes(const Sources& s, int begin, int end, const double* targets,
+  const double* mask, const int* place, double* sum)
 {
   Targets t;
   load(t, targets, mask);
@@ -161,17 +194,7 @@ VESICLE_INLINE void add_part_of_stokeslets(const StokesletSources& s, int begin,
     const int rows = last - q, width = s.start[q + 1] - s.start[q];
     Lanes g[group_size][6];
     for (int r = 0; r < rows; ++r)
-    {
-      Pair p;
-      evaluate(p, s, q + r, t);
-      const Lanes hx = p.over_r3 * p.dx, hy = p.over_r3 * p.dy, hz = p.over_r3 * p.dz;
-      g[r][0] = p.over_r + hx * p.dx;
-      g[r][1] = hx * p.dy;
-      g[r][2] = hx * p.dz;
-      g[r][3] = p.over_r + hy * p.dy;
-      g[r][4] = hy * p.dz;
-      g[r][5] = p.over_r + hz * p.dz;
-    }
+      components(g[r], s, q + r, t);
     const double* value = s.value + s.start[q];
     for (int k = 0; k < width; ++k)
     {
@@ -234,7 +257,14 @@ void add_stokeslets(const StokesletSources& s, int begin, int end, const double*
   const double* mask, const int* place, double* sum)
 {
   for (int i = 0; i < stokeslet_lanes; i += lanes)
-    add_part_of_stokeslets(s, begin, end, targets + i, mask + i, place, sum + i);
+    add_part_to_nodes(s, begin, end, targets + i, mask + i, place, sum + i);
+}
+
+void add_stresslets(const StressletSources& s, int begin, int end, const double* targets,
+  const double* mask, const int* place, double* sum)
+{
+  for (int i = 0; i < stokeslet_lanes; i += lanes)
+    add_part_to_nodes(s, begin, end, targets + i, mask + i, place, sum + i);
 }
 
 void multiply_stokeslets(const double* sum, int nodes, const double* vectors, double* velocities)
@@ -250,9 +280,37 @@ void add_velocities(
     add_part_of_velocities(s, begin, end, targets + i, mask + i, sum + i);
 }
 
-// Two vectors of targets side by side, so that one's arithmetic fills the other's waits.
 template<class Real>
-VESICLE_INLINE void add_forces_at(const PointForces<Real>& s, const Real* targets, Real* velocities)
+VESICLE_INLINE void add_velocity(Wide<Real> u[3], const PointForces<Real>& s, int q,
+  const Wide<Real>& dx, const Wide<Real>& dy, const Wide<Real>& dz, const Wide<Real>& over_r)
+{
+  const Real fx = s.strength[0][q], fy = s.strength[1][q], fz = s.strength[2][q];
+  const Wide<Real> along = (fx * dx + fy * dy + fz * dz) * (over_r * over_r);
+  u[0] += over_r * (fx + along * dx);
+  u[1] += over_r * (fy + along * dy);
+  u[2] += over_r * (fz + along * dz);
+}
+
+template<class Real>
+VESICLE_INLINE void add_velocity(Wide<Real> u[3], const PointStresslets<Real>& s, int q,
+  const Wide<Real>& dx, const Wide<Real>& dy, const Wide<Real>& dz, const Wide<Real>& over_r)
+{
+  const Real xx = s.strength[0][q], xy = s.strength[1][q], xz = s.strength[2][q],
+             yy = s.strength[3][q], yz = s.strength[4][q], zz = s.strength[5][q];
+  const Wide<Real> square = over_r * over_r,
+                   along =
+                     (dx * (xx * dx + xy * dy + xz * dz) + dy * (xy * dx + yy * dy + yz * dz) +
+                       dz * (xz * dx + yz * dy + zz * dz)) *
+    (over_r * square * square);
+  u[0] += along * dx;
+  u[1] += along * dy;
+  u[2] += along * dz;
+}
+
+// Two vectors of targets side by side, so that one's arithmetic fills the other's waits.
+template<class Real, int components>
+VESICLE_INLINE void add_sources_at(
+  const PointSources<Real, components>& s, const Real* targets, Real* velocities)
 {
   constexpr int width = bytes / sizeof(Real), vectors = width < sum_lanes ? 2 : 1;
   Wide<Real> x[vectors][3], u[vectors][3];
@@ -265,35 +323,45 @@ VESICLE_INLINE void add_forces_at(const PointForces<Real>& s, const Real* target
   for (int q = 0; q < s.count; ++q)
     for (int v = 0; v < vectors; ++v)
     {
-      const Wide<Real> dx = s.x[q] - x[v][0], dy = s.y[q] - x[v][1], dz = s.z[q] - x[v][2];
+      const Wide<Real> dx = s.position[0][q] - x[v][0], dy = s.position[1][q] - x[v][1],
+                       dz = s.position[2][q] - x[v][2];
       Wide<Real> over_r;
       inverse_root(over_r, dx * dx + dy * dy + dz * dz);
-      const Wide<Real> along = (s.fx[q] * dx + s.fy[q] * dy + s.fz[q] * dz) * (over_r * over_r);
-      u[v][0] += over_r * (s.fx[q] + along * dx);
-      u[v][1] += over_r * (s.fy[q] + along * dy);
-      u[v][2] += over_r * (s.fz[q] + along * dz);
+      add_velocity<Real>(u[v], s, q, dx, dy, dz, over_r);
     }
   for (int v = 0; v < vectors; ++v)
     for (int c = 0; c < 3; ++c)
       std::memcpy(velocities + c * sum_lanes + v * width, &u[v][c], bytes);
 }
 
-template<class Real>
-VESICLE_INLINE void add_forces(const PointForces<Real>& s, const Real* targets, Real* velocities)
+template<class Real, int components>
+VESICLE_INLINE void add_sources(
+  const PointSources<Real, components>& s, const Real* targets, Real* velocities)
 {
   constexpr int width = bytes / sizeof(Real), at_once = width < sum_lanes ? 2 * width : width;
   for (int i = 0; i < sum_lanes; i += at_once)
-    add_forces_at(s, targets + i, velocities + i);
+    add_sources_at(s, targets + i, velocities + i);
 }
 
 void add_forces_double(const PointForces<double>& s, const double* targets, double* velocities)
 {
-  add_forces(s, targets, velocities);
+  add_sources(s, targets, velocities);
 }
 
 void add_forces_float(const PointForces<float>& s, const float* targets, float* velocities)
 {
-  add_forces(s, targets, velocities);
+  add_sources(s, targets, velocities);
+}
+
+void add_stresslets_double(
+  const PointStresslets<double>& s, const double* targets, double* velocities)
+{
+  add_sources(s, targets, velocities);
+}
+
+void add_stresslets_float(const PointStresslets<float>& s, const float* targets, float* velocities)
+{
+  add_sources(s, targets, velocities);
 }
 
 double dot(const double* a, const double* b, long n)
@@ -305,8 +373,8 @@ double dot(const double* a, const double* b, long n)
   return sum;
 }
 
-constexpr StokesletLoops loops{ add_stokeslets, multiply_stokeslets, add_velocities,
-  add_forces_double, add_forces_float, dot };
+constexpr StokesletLoops loops{ add_stokeslets, add_stresslets, multiply_stokeslets, add_velocities,
+  add_forces_double, add_forces_float, add_stresslets_double, add_stresslets_float, dot };
 
 }
 }

@@ -69,7 +69,7 @@ void expect_loops_give_the_formula(
     for (int i = 0; i < sum_lanes; ++i)
       for (int c = 0; c < 3; ++c)
         targets[c * sum_lanes + i] = static_cast<Real>(at(i, c));
-    add({ &x(0, 0), &x(0, 1), &x(0, 2), &f(0, 0), &f(0, 1), &f(0, 2), 33 }, targets.data(),
+    add({ { &x(0, 0), &x(0, 1), &x(0, 2) }, { &f(0, 0), &f(0, 1), &f(0, 2) }, 33 }, targets.data(),
       velocities.data());
     Points velocity(sum_lanes, 3);
     for (int i = 0; i < sum_lanes; ++i)

@@ -1,0 +1,92 @@
+#include "solver/stokes/DoubleLayer.h"
+
+#include "solver/stokes/kernels/StokesletKernel.h"
+#include "solver/surface/Collocation.h"
+
+namespace vesicle
+{
+
+std::unique_ptr<const PointSum> DoubleLayer::direct_sum(
+  const RowVectors& points, const Points& vertices)
+{
+  return std::make_unique<DirectPointSum<PointKind::stresslet>>(points, vertices);
+}
+
+DoubleLayer::DoubleLayer(const std::vector<LayerSurface>& surfaces, std::vector<double> factors,
+  const LayerSum::MakePointSum& make_sum)
+{
+  const StokesOperator layer(surfaces);
+  for (int s = 0; s < static_cast<int>(surfaces.size()); ++s)
+  {
+    const LayerPoints& at = layer.regular_points(s);
+    sources_.push_back({ &surfaces[s].rules->regular().table,
+      double_layer_factor * at.weight.asDiagonal() * at.surface.cross.rowwise().normalized(),
+      vertices_, points_, layer.double_layer_corrections(s), factors[s], {} });
+    vertices_ += surfaces[s].rules->vertices();
+    points_ += static_cast<int>(at.weight.size());
+  }
+  RowVectors positions(points_, 3);
+  for (int s = 0; s < static_cast<int>(surfaces.size()); ++s)
+    positions.middleRows(sources_[s].first_point, sources_[s].normal.rows()) =
+      layer.regular_points(s).surface.position;
+  sum_ = make_sum(positions, layer.targets());
+  for (int s = 0; s < static_cast<int>(surfaces.size()); ++s)
+    if (surfaces.size() == 1)
+      find_own(sources_[s], *sum_, vertices_);
+    else
+      find_own(sources_[s],
+        *make_sum(layer.regular_points(s).surface.position, surfaces[s].vertices),
+        surfaces[s].rules->vertices());
+}
+
+DoubleLayer::Stresslets DoubleLayer::stresslets(const Source& source, const Points& nodal)
+{
+  const Eigen::ArrayX3d u = interpolate(*source.table, nodal).array();
+  const auto n = source.normal.array();
+  Eigen::Array<double, Eigen::Dynamic, 6> s(n.rows(), 6);
+  s.col(0) = u.col(0) * n.col(0);
+  s.col(1) = (u.col(0) * n.col(1) + u.col(1) * n.col(0)) / 2;
+  s.col(2) = (u.col(0) * n.col(2) + u.col(2) * n.col(0)) / 2;
+  s.col(3) = u.col(1) * n.col(1);
+  s.col(4) = (u.col(1) * n.col(2) + u.col(2) * n.col(1)) / 2;
+  s.col(5) = u.col(2) * n.col(2);
+  return s;
+}
+
+// `sum` is from the source's points to its own vertices alone.
+void DoubleLayer::find_own(Source& source, const PointSum& sum, int vertices) const
+{
+  source.own.resize(3L * vertices, 3);
+  for (int c = 0; c < 3; ++c)
+  {
+    const Points constant = Vector3::Unit(c).transpose().replicate(vertices, 1);
+    Points made = Points::Zero(vertices, 3);
+    sum.add(stresslets(source, constant), Precision::full, made);
+    source.corrections.add(double_layer_factor * flat(constant), 0, made);
+    source.own.col(c) = flat(Points(constant / 2 - made));
+  }
+}
+
+Eigen::VectorXd DoubleLayer::apply(const std::vector<Eigen::VectorXd>& nodal,
+  const Eigen::VectorXd& at_vertices, Precision precision) const
+{
+  Eigen::MatrixXd strengths(points_, 6);
+  for (std::size_t s = 0; s < sources_.size(); ++s)
+    strengths.middleRows(sources_[s].first_point, sources_[s].normal.rows()) =
+      sources_[s].factor * stresslets(sources_[s], rows_of_three(nodal[s]));
+  Points result = Points::Zero(vertices_, 3);
+  sum_->add(strengths, precision, result);
+  for (std::size_t s = 0; s < sources_.size(); ++s)
+  {
+    const Source& source = sources_[s];
+    source.corrections.add(
+      double_layer_factor * source.factor * nodal[s], source.first_vertex, result);
+    for (Eigen::Index i = 0; i < source.own.rows() / 3; ++i)
+      result.row(source.first_vertex + i) += source.factor *
+        (source.own.middleRows<3>(3 * i) * at_vertices.segment<3>(3 * (source.first_vertex + i)))
+          .transpose();
+  }
+  return result.reshaped<Eigen::RowMajor>();
+}
+
+}
