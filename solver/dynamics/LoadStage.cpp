@@ -3,6 +3,7 @@
 #include "solver/Errors.h"
 #include "solver/linear/Gmres.h"
 #include "solver/dynamics/LocalPreconditioner.h"
+#include "solver/dynamics/RigidMotions.h"
 
 #include <fmt/format.h>
 
@@ -11,9 +12,9 @@
 namespace vesicle
 {
 
-LoadStage::LoadStage(const SystemShape& shape, LayerMap layer, double tau,
+LoadStage::LoadStage(const SystemShape& shape, LayerMaps layers, double tau,
   const Eigen::VectorXd& reference, const State& guess)
-  : shape_(shape), layer_(std::move(layer)), tau_(tau)
+  : shape_(shape), layers_(std::move(layers)), tau_(tau)
 {
   std::vector<Eigen::VectorXd> scales;
   for (std::size_t v = 0; v < count(); ++v)
@@ -28,15 +29,20 @@ LoadStage::LoadStage(const SystemShape& shape, LayerMap layer, double tau,
     if (reference_load_.back().size() > 0)
       known_load_.back() += reference_load_.back();
     guess_.push_back(unknowns_of(v, guess));
+    const bool has_guess =
+      v < guess.vesicles.size() && guess.vesicles[v].velocity.rows() == surface.vertices.rows();
+    guessed_velocity_.push_back(
+      has_guess ? Eigen::VectorXd(flat(guess.vesicles[v].velocity)) : Eigen::VectorXd());
 
     // Rows as velocities: a residual of 1 is an error of the velocity of about 1.
     const Eigen::Index parameters = has_parameters(v) ? own.motion().size() : 0,
                        n = own.has_tension() ? surface.vertices.rows() : 0, extra = 2;
-    Eigen::VectorXd scale = Eigen::VectorXd::Ones(parameters + n + extra);
+    const Eigen::Index contrast = has_contrast() ? 3 * surface.vertices.rows() : 0;
+    Eigen::VectorXd scale = Eigen::VectorXd::Ones(parameters + n + extra + contrast);
     if (n > 0)
       scale.segment(parameters, n) =
         3 * std::sqrt(surface.area / static_cast<double>(n)) * surface.vertex_area.cwiseInverse();
-    scale.tail(extra).setConstant(1 / surface.area);
+    scale.segment(parameters + n, extra).setConstant(1 / surface.area);
     first_.push_back(first_.back() + scale.size());
     scales.push_back(std::move(scale));
   }
@@ -64,7 +70,8 @@ std::vector<LoadUnknowns> LoadStage::split(const Eigen::VectorXd& x) const
       at += part.tension.size();
     }
     part.pressure = x[at++];
-    part.volume_speed = x[at];
+    part.volume_speed = x[at++];
+    part.contrast = x.segment(at, first_[v + 1] - at);
   }
   return result;
 }
@@ -81,7 +88,8 @@ Eigen::VectorXd LoadStage::join(const std::vector<LoadUnknowns>& parts) const
     x.segment(at, part.tension.size()) = part.tension;
     at += part.tension.size();
     x[at++] = part.pressure;
-    x[at] = part.volume_speed;
+    x[at++] = part.volume_speed;
+    x.segment(at, part.contrast.size()) = part.contrast;
   }
   return x;
 }
@@ -142,17 +150,59 @@ Eigen::VectorXd LoadStage::velocity_of(const std::vector<Eigen::VectorXd>& loads
   std::vector<Eigen::VectorXd> densities;
   for (std::size_t v = 0; v < loads.size(); ++v)
     densities.push_back(this->loads(v).density(loads[v]));
-  Eigen::VectorXd velocity = layer_(densities, precision);
+  Eigen::VectorXd velocity = layers_.single(densities, precision);
   for (std::size_t v = 0; v < loads.size(); ++v)
-    velocity.segment(3 * shape_.first[v], loads[v].size()) +=
-      x[v].volume_speed * flat(this->loads(v).surface().normals);
+  {
+    auto own = velocity.segment(3 * shape_.first[v], loads[v].size());
+    own = share_of_layer(v) * own + x[v].volume_speed * flat(this->loads(v).surface().normals);
+    if (x[v].contrast.size() > 0)
+      own += x[v].contrast;
+  }
   return velocity;
 }
 
+double LoadStage::share_of_layer(std::size_t v) const
+{
+  return 2 / (1 + loads(v).viscosity_ratio());
+}
+
+Eigen::VectorXd LoadStage::imposed_share(std::size_t v) const
+{
+  return share_of_layer(v) * shape_.part(shape_.imposed, v);
+}
+
+// Σ (1 − λ) (K u + n̂ (Qᵀv·u)/2A).
+Eigen::VectorXd LoadStage::contrast_of(const Eigen::VectorXd& velocity, Precision precision) const
+{
+  std::vector<Eigen::VectorXd> control;
+  for (std::size_t v = 0; v < count(); ++v)
+    control.push_back(loads(v).surface().to_control(shape_.part(velocity, v)));
+  Eigen::VectorXd result = layers_.contrast(control, velocity, precision);
+  for (std::size_t v = 0; v < count(); ++v)
+  {
+    const Surface& surface = loads(v).surface();
+    const double flux = loads(v).volume_rate().dot(control[v]);
+    result.segment(3 * shape_.first[v], control[v].size()) +=
+      (1 - loads(v).viscosity_ratio()) * flux / (2 * surface.area) * flat(surface.normals);
+  }
+  return result;
+}
+
+// What the guess' velocities have beyond those of the other unknowns, `without`, or as if K were zero.
+void LoadStage::start_contrast(std::vector<LoadUnknowns>& x, const Eigen::VectorXd& without) const
+{
+  for (std::size_t v = 0; v < count(); ++v)
+    x[v].contrast = guessed_velocity_[v].size() > 0
+      ? Eigen::VectorXd(guessed_velocity_[v] - shape_.part(without, v))
+      : imposed_share(v);
+}
+
 std::vector<LoadUnknowns> LoadStage::rows(const std::vector<Eigen::VectorXd>& loads,
-  const std::vector<LoadUnknowns>& x, const Eigen::VectorXd& velocity) const
+  const std::vector<LoadUnknowns>& x, const Eigen::VectorXd& velocity, Precision precision) const
 {
   std::vector<LoadUnknowns> result;
+  const Eigen::VectorXd contrast =
+    has_contrast() ? contrast_of(velocity, precision) : Eigen::VectorXd();
   for (std::size_t v = 0; v < count(); ++v)
   {
     const VesicleLoads& own = this->loads(v);
@@ -169,8 +219,37 @@ std::vector<LoadUnknowns> LoadStage::rows(const std::vector<Eigen::VectorXd>& lo
       part.tension = own.tension_rows(u, x[v].tension);
     part.pressure = own.volume_rate().dot(u);
     part.volume_speed = own.normal().dot(loads[v]);
+    if (has_contrast())
+      part.contrast = x[v].contrast + share_of_layer(v) * shape_.part(contrast, v);
   }
   return result;
+}
+
+// w first, as if K acted on its rigid motions alone; then the rest, with the velocities that w makes.
+std::vector<LoadUnknowns> LoadStage::precondition(
+  const std::vector<LocalPreconditioner>& preconditioners, const std::vector<RigidMotions>& rigid,
+  std::vector<LoadUnknowns> residual) const
+{
+  std::vector<LoadUnknowns> x;
+  for (std::size_t v = 0; v < count(); ++v)
+  {
+    const VesicleLoads& own = loads(v);
+    LoadUnknowns& left = residual[v];
+    Eigen::VectorXd w = left.contrast;
+    if (has_contrast())
+    {
+      w -= (1 - own.viscosity_ratio()) / 2 * rigid[v].nearest(w);
+      const Eigen::VectorXd u = own.surface().to_control(w);
+      if (has_parameters(v))
+        left.parameters += own.motion().parameters(w);
+      if (own.has_tension())
+        left.tension -= own.area_rates(u);
+      left.pressure -= own.volume_rate().dot(u);
+    }
+    x.push_back(preconditioners[v].solve(own, left));
+    x[v].contrast = std::move(w);
+  }
+  return x;
 }
 
 StageSolution LoadStage::solve(const std::vector<LocalPreconditioner>& preconditioners,
@@ -180,9 +259,25 @@ StageSolution LoadStage::solve(const std::vector<LocalPreconditioner>& precondit
   std::vector<Eigen::VectorXd> guessed_load;
   for (std::size_t v = 0; v < count(); ++v)
     guessed_load.emplace_back(known_load_[v] + load_of(v, guess_[v]));
-  const Eigen::VectorXd guessed_velocity = shape_.imposed + velocity_of(guessed_load, guess_);
-  const Eigen::VectorXd b =
-    -join(rows(guessed_load, guess_, guessed_velocity)).cwiseProduct(scale_);
+  std::vector<LoadUnknowns> guess = guess_;
+  Eigen::VectorXd guessed_velocity = velocity_of(guessed_load, guess);
+  std::vector<RigidMotions> rigid;
+  if (has_contrast())
+  {
+    start_contrast(guess, guessed_velocity);
+    for (std::size_t v = 0; v < count(); ++v)
+    {
+      guessed_velocity.segment(3 * shape_.first[v], guess[v].contrast.size()) += guess[v].contrast;
+      rigid.emplace_back(loads(v).surface().vertices, loads(v).surface().vertex_area);
+    }
+  }
+  else
+    guessed_velocity += shape_.imposed;
+  std::vector<LoadUnknowns> left = rows(guessed_load, guess, guessed_velocity);
+  if (has_contrast())
+    for (std::size_t v = 0; v < count(); ++v)
+      left[v].contrast -= imposed_share(v);
+  const Eigen::VectorXd b = -join(left).cwiseProduct(scale_);
   // The velocities that the Krylov vectors make, for the true size of the solution's.
   std::vector<Eigen::VectorXd> velocities;
   const auto apply = [&](const Eigen::VectorXd& y, double allowed) -> Eigen::VectorXd
@@ -191,17 +286,13 @@ StageSolution LoadStage::solve(const std::vector<LocalPreconditioner>& precondit
     std::vector<Eigen::VectorXd> loads;
     for (std::size_t v = 0; v < count(); ++v)
       loads.push_back(load_of(v, x[v]));
-    velocities.push_back(velocity_of(
-      loads, x, allowed > single_precision_error ? Precision::single : Precision::full));
-    return join(rows(loads, x, velocities.back())).cwiseProduct(scale_);
+    const Precision precision =
+      allowed > single_precision_error ? Precision::single : Precision::full;
+    velocities.push_back(velocity_of(loads, x, precision));
+    return join(rows(loads, x, velocities.back(), precision)).cwiseProduct(scale_);
   };
   const auto precondition = [&](const Eigen::VectorXd& r) -> Eigen::VectorXd
-  {
-    std::vector<LoadUnknowns> x = split(r.cwiseQuotient(scale_));
-    for (std::size_t v = 0; v < count(); ++v)
-      x[v] = preconditioners[v].solve(loads(v), x[v]);
-    return join(x);
-  };
+  { return join(this->precondition(preconditioners, rigid, split(r.cwiseQuotient(scale_)))); };
   const auto wanted = [&](const Eigen::VectorXd& coefficients)
   {
     Eigen::VectorXd velocity = guessed_velocity;
@@ -218,7 +309,7 @@ StageSolution LoadStage::solve(const std::vector<LocalPreconditioner>& precondit
       "the linear solve of {} unknowns did not converge: residual {:.1e} after {} iterations",
       unknowns(), linear.residual, linear.iterations));
 
-  return solution_of(split(join(guess_) + linear.solution), linear.iterations);
+  return solution_of(split(join(guess) + linear.solution), linear.iterations);
 }
 
 StageSolution LoadStage::solution_of(const std::vector<LoadUnknowns>& x, int iterations) const
@@ -242,7 +333,9 @@ StageSolution LoadStage::solution_of(const std::vector<LoadUnknowns>& x, int ite
     if (change.size() > 0)
       part.stiff_force += own.density(change);
   }
-  result.velocity = shape_.imposed + velocity_of(total, x);
+  result.velocity = velocity_of(total, x);
+  if (!has_contrast())
+    result.velocity += shape_.imposed;
   return result;
 }
 

@@ -12,7 +12,20 @@
 // clang-format on
 
 // so that, for no flow and no tangential motion, dE/dt = g·Qu = −l·A l − γ·Fγ can't be positive.
-// (T only of a taut sphere.) Unknowns, of each vesicle: ν = E u (NodeMotion.h), which is all that K feels, the tension γ, the
+// (T only of a taut sphere.)
+
+// Between fluids of viscosity ratio λ the double layer K joins in (C. Pozrikidis, Boundary Integral and
+// Singularity Methods, 1992, 5.3):
+
+// clang-format off
+//
+//   u = 2/(1 + λ) A l + w + c n̂,   w = 2/(1 + λ) (u∞ − Σ (1 − λ) K u)
+//
+// clang-format on
+
+// with w at the vertices one more unknown. K n ≈ −n/2 makes that nearly singular as λ → 0: there
+// (1 − λ) n̂ (Qᵀv·u)/2A is added, which is zero. Rigid motions, K u = u/2, do so as λ → ∞, which the
+// preconditioner takes care of. Unknowns, of each vesicle: ν = E u (NodeMotion.h), which is all that K feels, the tension γ, the
 // pressure p and c; parts that it doesn't need aren't there.
 
 #include "solver/dynamics/StageSolution.h"
@@ -26,17 +39,30 @@ namespace vesicle
 {
 
 class LocalPreconditioner;
+class RigidMotions;
 
 /// Of one vesicle; as a residual: of the rows that belong to them.
 struct LoadUnknowns
 {
   Eigen::VectorXd parameters, tension; ///< ν, γ; empty: none
   double pressure = 0, volume_speed = 0;
+  Eigen::VectorXd contrast; ///< w; empty: none
 };
 
 /// The velocities at all vertices (3N) that force densities at the nodes of each vesicle make, with at
 /// least that precision.
 using LayerMap = std::function<Eigen::VectorXd(const std::vector<Eigen::VectorXd>&, Precision)>;
+
+/// Σ (1 − λ) K u at all vertices (3N), of each vesicle's velocities at the nodes and of all at the
+/// vertices, with at least that precision.
+using ContrastMap = std::function<Eigen::VectorXd(
+  const std::vector<Eigen::VectorXd>&, const Eigen::VectorXd&, Precision)>;
+
+struct LayerMaps
+{
+  LayerMap single;
+  ContrastMap contrast; ///< empty where all fluids have the same viscosity
+};
 
 class LoadStage
 {
@@ -44,8 +70,8 @@ public:
   /// All arguments must outlive the stage. `tau`: implicit time; 0: stiff loads are those of the
   /// shape. `reference`: velocities of all vertices, or empty. `guess`: what has velocities and tensions
   /// near the solution, which is found from there with fewer iterations; or without any.
-  LoadStage(const SystemShape& shape, LayerMap layer, double tau, const Eigen::VectorXd& reference,
-    const State& guess);
+  LoadStage(const SystemShape& shape, LayerMaps layers, double tau,
+    const Eigen::VectorXd& reference, const State& guess);
 
   Eigen::Index unknowns() const { return first_.back(); }
   /// Solves to the velocity's relative error `tolerance`, about.
@@ -58,24 +84,34 @@ private:
   const VesicleLoads& loads(std::size_t vesicle) const { return *shape_.vesicles[vesicle].loads; }
   std::size_t count() const { return shape_.vesicles.size(); }
   bool has_parameters(std::size_t vesicle) const;
+  bool has_contrast() const { return layers_.contrast != nullptr; }
+  /// 2/(1 + λ).
+  double share_of_layer(std::size_t vesicle) const;
+  Eigen::VectorXd imposed_share(std::size_t vesicle) const;
+  Eigen::VectorXd contrast_of(const Eigen::VectorXd& velocity, Precision precision) const;
+  void start_contrast(std::vector<LoadUnknowns>& x, const Eigen::VectorXd& without) const;
+  std::vector<LoadUnknowns> precondition(const std::vector<LocalPreconditioner>& preconditioners,
+    const std::vector<RigidMotions>& rigid, std::vector<LoadUnknowns> residual) const;
   LoadUnknowns unknowns_of(std::size_t vesicle, const State& guess) const;
   Eigen::VectorXd stiff_change(std::size_t vesicle, const Eigen::VectorXd& parameters) const;
   Eigen::VectorXd load_of(std::size_t vesicle, const LoadUnknowns& x) const;
-  /// Rows of loads and the velocities that they and c make, without the flow.
+  /// Rows of loads and the velocities that they, c and w make, without the flow.
   std::vector<LoadUnknowns> rows(const std::vector<Eigen::VectorXd>& loads,
-    const std::vector<LoadUnknowns>& x, const Eigen::VectorXd& velocity) const;
+    const std::vector<LoadUnknowns>& x, const Eigen::VectorXd& velocity,
+    Precision precision = Precision::full) const;
   Eigen::VectorXd velocity_of(const std::vector<Eigen::VectorXd>& loads,
     const std::vector<LoadUnknowns>& x, Precision precision = Precision::full) const;
 
   StageSolution solution_of(const std::vector<LoadUnknowns>& x, int iterations) const;
 
   const SystemShape& shape_;
-  LayerMap layer_;
+  LayerMaps layers_;
   double tau_;
   std::vector<Eigen::Index> first_{ 0 };
   std::vector<Eigen::VectorXd> reference_load_; ///< τ Qᵀ K Q reference, or empty
   std::vector<Eigen::VectorXd> known_load_;
   std::vector<LoadUnknowns> guess_;
+  std::vector<Eigen::VectorXd> guessed_velocity_; ///< of each vesicle, or empty
   Eigen::VectorXd scale_;
 };
 

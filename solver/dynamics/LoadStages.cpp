@@ -3,8 +3,10 @@
 #include "solver/Errors.h"
 #include "solver/ParallelFor.h"
 #include "solver/dynamics/LoadStage.h"
-#include "solver/stokes/LayerSum.h"
+#include "solver/stokes/DoubleLayer.h"
 #include "solver/stokes/TreeSum.h"
+
+#include <algorithm>
 
 namespace vesicle
 {
@@ -28,14 +30,15 @@ double largest_move(const std::vector<Points>& from, const std::vector<Points>& 
   return largest;
 }
 
+template<PointKind kind>
 std::unique_ptr<const PointSum> far_sum(
   const RowVectors& points, const Points& vertices, const LayerSettings& layer)
 {
   const double pairs = static_cast<double>(points.rows()) * static_cast<double>(vertices.rows());
   if (layer.method == LayerMethod::tree ||
     (layer.method == LayerMethod::automatic && pairs > most_direct_pairs))
-    return std::make_unique<TreeSum>(points, vertices, layer.tree_tolerance);
-  return LayerSum::direct_sum(points, vertices);
+    return std::make_unique<TreePointSum<kind>>(points, vertices, layer.tree_tolerance);
+  return std::make_unique<DirectPointSum<kind>>(points, vertices);
 }
 
 }
@@ -55,13 +58,34 @@ void LoadStages::build_stiff(const SystemShape& shape, double tau)
       preconditioners_[v].build_stiff(loads, tau);
 }
 
-LayerMap LoadStages::map_of(const SystemShape& shape) const
+LayerMaps LoadStages::maps_of(const SystemShape& shape) const
+{
+  return { single_layer(shape), contrast(shape) };
+}
+
+ContrastMap LoadStages::contrast(const SystemShape& shape) const
+{
+  std::vector<double> factors;
+  for (const VesicleShape& vesicle : shape.vesicles)
+    factors.push_back(1 - vesicle.vesicle->viscosity_ratio);
+  if (std::all_of(factors.begin(), factors.end(), [](double factor) { return factor == 0; }))
+    return {};
+  const auto layer = std::make_shared<const DoubleLayer>(layer_surfaces(shape), factors,
+    [&](const RowVectors& points, const Points& vertices)
+    { return far_sum<PointKind::stresslet>(points, vertices, layer_); });
+  const bool mixed = layer_.precision == LayerPrecision::mixed;
+  return [layer, mixed](const std::vector<Eigen::VectorXd>& nodal,
+           const Eigen::VectorXd& at_vertices, Precision precision)
+  { return layer->apply(nodal, at_vertices, mixed ? precision : Precision::full); };
+}
+
+LayerMap LoadStages::single_layer(const SystemShape& shape) const
 {
   if (layer_.method != LayerMethod::dense)
   {
     const auto sum = std::make_shared<const LayerSum>(layer_surfaces(shape),
       [&](const RowVectors& points, const Points& vertices)
-      { return far_sum(points, vertices, layer_); });
+      { return far_sum<PointKind::force>(points, vertices, layer_); });
     const bool mixed = layer_.precision == LayerPrecision::mixed;
     return [sum, mixed](const std::vector<Eigen::VectorXd>& densities, Precision precision)
     { return sum->apply(densities, mixed ? precision : Precision::full); };
@@ -91,9 +115,9 @@ StageSolution LoadStages::solve(const SystemShape& shape, const Stage& stage, St
     else // after a restart: where the uninterrupted run made it
       build(SystemShape(system_, kept.points));
   }
-  LayerMap layer;
-  run_together({ [&] { layer = map_of(shape); }, [&] { build_stiff(shape, stage.tau); } });
-  StageSolution solution = LoadStage(shape, layer, stage.tau, stage.reference, state)
+  LayerMaps layers;
+  run_together({ [&] { layers = maps_of(shape); }, [&] { build_stiff(shape, stage.tau); } });
+  StageSolution solution = LoadStage(shape, layers, stage.tau, stage.reference, state)
                              .solve(preconditioners_, stage.tolerance, max_iterations);
   state.iterations += solution.iterations;
   if (solution.iterations > stale_iterations)

@@ -25,7 +25,9 @@ private:
 
   void build(const SystemShape& shape);
   void build_stiff(const SystemShape& shape, double tau);
-  LayerMap map_of(const SystemShape& shape) const;
+  LayerMaps maps_of(const SystemShape& shape) const;
+  LayerMap single_layer(const SystemShape& shape) const;
+  ContrastMap contrast(const SystemShape& shape) const;
 
   const System& system_;
   LayerSettings layer_;

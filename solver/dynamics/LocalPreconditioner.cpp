@@ -20,8 +20,10 @@ SparseMatrix layer_inverse(const VesicleLoads& loads)
   const Surface& surface = loads.surface();
   const double nodes = static_cast<double>(surface.vertices.rows()),
                radius = std::sqrt(surface.area / (4 * std::numbers::pi)),
-               k0 = 2 * std::pow(nodes, 0.25) / radius;
-  return 2 / k0 * stiffness_matrix(surface.space->table(), surface.points) + 2 * k0 * loads.mass();
+               k0 = 2 * std::pow(nodes, 0.25) / radius,
+               viscosity = (1 + loads.viscosity_ratio()) / 2;
+  return 2 * viscosity / k0 * stiffness_matrix(surface.space->table(), surface.points) +
+    2 * viscosity * k0 * loads.mass();
 }
 
 using Entries = std::vector<Eigen::Triplet<double>>;

@@ -11,7 +11,8 @@ namespace vesicle
 struct LoadUnknowns;
 
 /// Of one vesicle. A_i = (2/k₀)(L + k₀² M) with L = ∮ ∇N_j·∇N_k dS, M the mass matrix and
-/// k₀ = 2 N^¼/R, R = √(A/4π), stands for the inverse of the single layer.
+/// k₀ = 2 N^¼/R, R = √(A/4π), stands for the inverse of the single layer;
+/// between two fluids times (1 + λ)/2, as all but the rigid motions feel the mean of the viscosities.
 class LocalPreconditioner
 {
 public:

@@ -68,6 +68,16 @@ InertiaEllipsoid inertia_ellipsoid(const SurfacePoints& surface, const Vector3& 
   return result;
 }
 
+namespace
+{
+
+Eigen::Matrix3d symmetric_traceless(const Eigen::Matrix3d& matrix)
+{
+  return (matrix + matrix.transpose()) / 2 - matrix.trace() / 3 * Eigen::Matrix3d::Identity();
+}
+
+}
+
 Eigen::Matrix3d stresslet(const SurfacePoints& surface, const Vector3& center,
   const RowVectors& force, const Eigen::VectorXd& tension)
 {
@@ -77,8 +87,14 @@ Eigen::Matrix3d stresslet(const SurfacePoints& surface, const Vector3& center,
   if (tension.size() > 0)
     moment -= area_vectors(surface).transpose() * tension.asDiagonal() *
       surface.cross.rowwise().normalized();
-  const Eigen::Matrix3d symmetric = (moment + moment.transpose()) / 2;
-  return symmetric - symmetric.trace() / 3 * Eigen::Matrix3d::Identity();
+  return symmetric_traceless(moment);
+}
+
+Eigen::Matrix3d interface_stresslet(const SurfacePoints& surface, const RowVectors& velocity)
+{
+  const Eigen::Matrix3d moment =
+    velocity.transpose() * surface.area_weight.asDiagonal() * surface.cross.rowwise().normalized();
+  return 2 * symmetric_traceless(moment);
 }
 
 std::optional<Eigen::VectorXd> harmonic_amplitudes(

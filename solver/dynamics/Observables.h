@@ -23,7 +23,7 @@ InertiaEllipsoid inertia_ellipsoid(const SurfacePoints& surface, const Vector3& 
 /// Particle stresslet, the symmetric traceless first moment of what the fluid exerts on the
 /// membrane: S_ij = −½ ∮ (f_i x_j + f_j x_i) dS + ⅓ δ_ij ∮ f·x dS, x from the centre, f the
 /// membrane's force density on the fluid. That is Batchelor's (J. Fluid Mech. 41 (1970) 545) for
-/// equal viscosities, when the layer of u_i n_j + u_j n_i has no share: positive along the strain
+/// equal viscosities, otherwise interface_stresslet is to be added: positive along the strain
 /// it resists, (20/3) π μ a³ E for a rigid sphere. A dilute suspension's mean stress gains n S, and
 /// in a shear u = rate z e_x its intrinsic viscosity is [η] = S_xz/(μ rate V). A pressure (f ∝ n)
 /// and gravity's load have none. `force`: the density but for the tension's, at the surface's rows,
@@ -31,6 +31,10 @@ InertiaEllipsoid inertia_ellipsoid(const SurfacePoints& surface, const Vector3& 
 /// work, ∮ f_i x_j dS = −∮ γ (δ_ij − n_i n_j) dS.
 Eigen::Matrix3d stresslet(const SurfacePoints& surface, const Vector3& center,
   const RowVectors& force, const Eigen::VectorXd& tension);
+
+/// ∮ (u_i n_j + u_j n_i) dS less its trace, u at the surface's rows: times (λ − 1) μ what the
+/// stresslet of a membrane between two fluids has beside its forces'.
+Eigen::Matrix3d interface_stresslet(const SurfacePoints& surface, const RowVectors& velocity);
 
 /// Amplitudes a_lm = ∮ r Y_lm dΩ of the shape r(θ, φ) = Σ a_lm Y_lm seen from the centre, l ≤
 /// degree, by harmonic_index (SphericalHarmonics.h), as surface integrals: dΩ = x·n dS/r³. Empty

@@ -191,8 +191,12 @@ void StateReport::add_flow(const VesicleShape& shape, const VesicleState& state,
   Eigen::VectorXd tension;
   if (state.tension.size() > 0)
     tension = interpolate(table, state.tension);
-  const Eigen::Matrix3d S =
-    scales_.energy * stresslet(surface.points, surface.center, force, tension);
+  Eigen::Matrix3d S = stresslet(surface.points, surface.center, force, tension);
+  if (const double contrast = shape.vesicle->viscosity_ratio - 1; contrast != 0)
+    S += contrast *
+      interface_stresslet(surface.points,
+        interpolate(table, rows_of_three(surface.to_control(flat(state.velocity)))));
+  S *= scales_.energy;
   d.stresslet = { S(0, 0), S(0, 1), S(0, 2), S(1, 1), S(1, 2), S(2, 2) };
 }
 

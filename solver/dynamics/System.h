@@ -19,6 +19,8 @@ struct Vesicle
   std::unique_ptr<const SurfaceSpace> space;
   std::unique_ptr<const LayerRules> layer;
   MembraneTerms terms;
+  double viscosity_ratio =
+    1; ///< λ, of the fluid inside to that outside; other than 1 on smooth surfaces only
   std::unique_ptr<const Incompressibility> incompressibility; ///< none: no tension
   /// The energy that is reported where no term has one.
   std::unique_ptr<const MembraneTerm> curvature_energy;

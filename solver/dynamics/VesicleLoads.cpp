@@ -19,7 +19,7 @@ constexpr double taut_resistance = 1e4;
 
 VesicleLoads::VesicleLoads(const Vesicle& vesicle, const Surface& surface,
   std::shared_ptr<const ConstraintRows> constraint, double rate)
-  : surface_(&surface),
+  : surface_(&surface), viscosity_ratio_(vesicle.viscosity_ratio),
     motion_(
       surface, constraint && constraint->gauge_pinned ? NodeMotionKind::normal : vesicle.motion),
     gradient_(Eigen::VectorXd::Zero(3 * surface.vertices.rows())),

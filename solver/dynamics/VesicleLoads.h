@@ -33,6 +33,7 @@ public:
 
   const Surface& surface() const { return *surface_; }
   const NodeMotion& motion() const { return motion_; }
+  double viscosity_ratio() const { return viscosity_ratio_; } ///< λ
 
   /// Of each term: −Qᵀg.
   const std::vector<Eigen::VectorXd>& loads() const { return loads_; }
@@ -93,6 +94,7 @@ private:
   void hold_taut(double rate);
 
   const Surface* surface_;
+  double viscosity_ratio_;
   NodeMotion motion_;
   std::vector<Eigen::VectorXd> loads_;
   Eigen::VectorXd taut_load_; ///< or empty

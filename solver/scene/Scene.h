@@ -49,7 +49,8 @@ struct Scene
 
   struct Fluid
   {
-    double viscosity = 1; ///< μ, the same inside and outside
+    double viscosity = 1;       ///< μ of the fluid outside
+    double viscosity_ratio = 1; ///< λ, inside to outside
   } fluid;
 
   std::shared_ptr<const ImposedFlow> flow; ///< empty: fluid at rest

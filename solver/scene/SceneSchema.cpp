@@ -176,10 +176,13 @@ SceneTable fluid_table()
 {
   SceneTable table;
   table.name = "fluid";
-  table.help = "The fluid, the same inside and outside.";
+  table.help = "The fluids outside and inside.";
   table.keys = {
     key("viscosity", at(&Scene::fluid, &Scene::Fluid::viscosity), rules::Number{ positive },
-      "pressure × time", "μ"),
+      "pressure × time", "μ of the fluid outside"),
+    key("viscosity_ratio", at(&Scene::fluid, &Scene::Fluid::viscosity_ratio),
+      rules::Number{ not_negative }, "",
+      "λ, of the fluid inside to that outside; other than 1 on Loop's surface only"),
   };
   return table;
 }
@@ -296,6 +299,10 @@ void check_accuracy(const TableReader& table, const Scene& scene)
   if (accuracy.bending != Scene::bending_of(accuracy.basis))
     table.fail("bending", "doesn't go with the basis",
       "\"cotan\" with basis \"linear\", \"variational\" with \"loop\"");
+  if (scene.fluid.viscosity_ratio != 1 && accuracy.basis != Scene::Basis::loop)
+    table.fail(table.has("basis") ? "basis" : "preset",
+      "has fluids of one viscosity only, and fluid.viscosity_ratio isn't 1",
+      "\"balanced\" or \"accurate\", or basis = \"loop\"");
   check_adaptive(table, accuracy);
 }
 

@@ -24,6 +24,7 @@ struct NumberRule
   const char* allowed;
 };
 inline constexpr NumberRule any_number{ [](double) { return true; }, "a finite number" };
+inline constexpr NumberRule not_negative{ [](double x) { return x >= 0; }, "a number >= 0" };
 inline constexpr NumberRule positive{ [](double x) { return x > 0; }, "a number > 0" };
 
 struct IntegerRule

@@ -58,6 +58,7 @@ System system_of(const Scene& scene, const Scales& scales, const Triangles& tria
   vesicle.conserved = accuracy.scheme != Scene::Scheme::paper;
   vesicle.motion = accuracy.mesh_motion == Scene::MeshMotion::material ? NodeMotionKind::material
                                                                        : NodeMotionKind::normal;
+  vesicle.viscosity_ratio = scene.fluid.viscosity_ratio;
   vesicle.terms = membrane_terms(scene, *vesicle.space, scales);
   if (scene.membrane.incompressible)
     vesicle.incompressibility = make_incompressibility(*vesicle.space);

@@ -118,7 +118,7 @@ void expect_printed(vtkObject* object, std::initializer_list<const char*> names)
   }
 }
 
-const auto scene_properties = { "BendingRigidity", "Incompressible", "Viscosity", "FlowKind",
+const auto scene_properties = { "BendingRigidity", "Incompressible", "Viscosity", "ViscosityRatio", "FlowKind",
   "FlowRate", "FlowVelocity", "FlowRadius", "FlowCenter", "FlowAxis", "BondNumber",
   "DensityDifference", "Acceleration", "Preset" };
 

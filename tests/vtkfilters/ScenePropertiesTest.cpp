@@ -136,8 +136,9 @@ TEST_F(ParaViewProperties, HaveTheRangesOfTheirKeys)
 {
   const std::map<std::string, const SceneKey*> keys{ { "BendingRigidity",
                                                        &scene_key("membrane", "bending_rigidity") },
-    { "Viscosity", &scene_key("fluid", "viscosity") }, { "FlowRate", &scene_key("flow", "rate") },
-    { "FlowRadius", &scene_key("flow", "radius") },
+    { "Viscosity", &scene_key("fluid", "viscosity") },
+    { "ViscosityRatio", &scene_key("fluid", "viscosity_ratio") },
+    { "FlowRate", &scene_key("flow", "rate") }, { "FlowRadius", &scene_key("flow", "radius") },
     { "BondNumber", &scene_key("gravity", "bond_number") },
     { "DensityDifference", &scene_key("gravity", "density_difference") },
     { "Acceleration", &scene_key("gravity", "acceleration") },

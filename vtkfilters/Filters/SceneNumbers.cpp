@@ -110,6 +110,7 @@ SurfaceBasis surface_basis(vtkFieldData* from)
 void add_medium(const Scene& scene, vtkFieldData* to)
 {
   add_number(to, "Viscosity", scene.fluid.viscosity);
+  add_number(to, "Viscosity_Ratio", scene.fluid.viscosity_ratio);
   add_number(to, "Surface_Basis", static_cast<int>(scene.accuracy.basis));
   add_number(to, "Flow_Kind", scene.flow ? number_of(scene.flow->kind()) : 0);
   if (!scene.flow)
@@ -127,6 +128,14 @@ Scene read_medium(vtkFieldData* from)
   if (!(scene.fluid.viscosity > 0))
   {
     throw InputError("the surface's field data Viscosity must be above 0");
+  }
+  if (from->HasArray("Viscosity_Ratio")) // of files of this version on
+  {
+    scene.fluid.viscosity_ratio = read_number(from, "Viscosity_Ratio");
+  }
+  if (!(scene.fluid.viscosity_ratio >= 0))
+  {
+    throw InputError("the surface's field data Viscosity_Ratio must be 0 or more");
   }
   scene.accuracy.basis =
     read_number(from, "Surface_Basis") == 0 ? Scene::Basis::linear : Scene::Basis::loop;

@@ -36,6 +36,8 @@ Scene vtkVesicleSceneAlgorithm::MakeScene()
 {
   require(
     vesicle::scene_key("fluid", "viscosity").allows(this->Viscosity), "Viscosity must be above 0");
+  require(vesicle::scene_key("fluid", "viscosity_ratio").allows(this->ViscosityRatio),
+    "ViscosityRatio must be 0 or more");
   require(
     this->FlowKind != Poiseuille || vesicle::scene_key("flow", "radius").allows(this->FlowRadius),
     "FlowRadius must be above 0");
@@ -57,6 +59,9 @@ Scene vtkVesicleSceneAlgorithm::MakeScene()
   }
   scene.membrane.incompressible = this->Incompressible;
   scene.fluid.viscosity = this->Viscosity;
+  scene.fluid.viscosity_ratio = this->ViscosityRatio;
+  require(this->ViscosityRatio == 1 || scene.accuracy.basis == Scene::Basis::loop,
+    "a ViscosityRatio other than 1 takes the preset balanced or accurate");
   scene.flow = this->MakeFlow();
   if (this->BondNumber != 0)
   {
@@ -90,6 +95,7 @@ void vtkVesicleSceneAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AreaDifference: " << this->AreaDifference << '\n';
   os << indent << "Incompressible: " << (this->Incompressible ? "on" : "off") << '\n';
   os << indent << "Viscosity: " << this->Viscosity << '\n';
+  os << indent << "ViscosityRatio: " << this->ViscosityRatio << '\n';
   os << indent << "FlowKind: " << flow_title(this->FlowKind) << '\n';
   os << indent << "FlowRate: " << this->FlowRate << '\n';
   print("FlowVelocity", this->FlowVelocity);

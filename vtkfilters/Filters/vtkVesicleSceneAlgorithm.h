@@ -96,10 +96,19 @@ public:
 
   ///@{
   /**
-   * μ of the fluid, a pressure times a time, above 0. Default: 1.
+   * μ of the fluid outside, a pressure times a time, above 0. Default: 1.
    */
   vtkSetMacro(Viscosity, double);
   vtkGetMacro(Viscosity, double);
+  ///@}
+
+  ///@{
+  /**
+   * λ, the viscosity of the fluid inside over that outside, 0 or more; other than 1 with the presets
+   * balanced and accurate only. Default: 1.
+   */
+  vtkSetMacro(ViscosityRatio, double);
+  vtkGetMacro(ViscosityRatio, double);
   ///@}
 
   ///@{
@@ -204,6 +213,7 @@ protected:
   double AreaDifference = 1;
   bool Incompressible = true;
   double Viscosity = 1;
+  double ViscosityRatio = 1;
   int FlowKind = AtRest;
   double FlowRate = 1;
   double FlowVelocity[3] = { 1, 0, 0 };

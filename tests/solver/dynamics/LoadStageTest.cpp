@@ -8,7 +8,7 @@
 #include "solver/flow/Shear.h"
 #include "solver/membrane/Buoyancy.h"
 #include "solver/membrane/HelfrichBending.h"
-#include "solver/stokes/LayerSum.h"
+#include "solver/stokes/DoubleLayer.h"
 #include "tests/solver/support/TestMeshes.h"
 
 #include <gtest/gtest.h>
@@ -48,6 +48,15 @@ struct Solved
     : shape(system, points)
   {
     const LayerSum layer(layer_surfaces(shape));
+    std::vector<double> factors;
+    for (const Vesicle& vesicle : system.vesicles)
+      factors.push_back(1 - vesicle.viscosity_ratio);
+    const DoubleLayer double_layer(layer_surfaces(shape), factors);
+    ContrastMap contrast;
+    if (std::any_of(factors.begin(), factors.end(), [](double factor) { return factor != 0; }))
+      contrast = [&](const std::vector<Eigen::VectorXd>& nodal, const Eigen::VectorXd& at_vertices,
+                   Precision precision)
+      { return double_layer.apply(nodal, at_vertices, precision); };
     std::vector<LocalPreconditioner> preconditioners(shape.vesicles.size());
     for (std::size_t v = 0; v < shape.vesicles.size(); ++v)
     {
@@ -55,10 +64,10 @@ struct Solved
       if (tau > 0 || shape.vesicles[v].loads->taut())
         preconditioners[v].build_stiff(*shape.vesicles[v].loads, tau);
     }
-    const LoadStage stage(
-      shape,
-      [&](const std::vector<Eigen::VectorXd>& densities, Precision precision)
-      { return layer.apply(densities, precision); },
+    const LoadStage stage(shape,
+      { [&](const std::vector<Eigen::VectorXd>& densities, Precision precision)
+        { return layer.apply(densities, precision); },
+        contrast },
       tau, {}, guess);
     solution = stage.solve(preconditioners, tolerance, 200);
   }
