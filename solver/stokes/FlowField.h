@@ -24,6 +24,7 @@ class FlowField
 {
 public:
   explicit FlowField(SurfacePanels panels);
+  const SurfacePanels& panels() const { return panels_; }
 
   struct Flow
   {

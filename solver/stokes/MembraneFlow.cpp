@@ -8,20 +8,24 @@ namespace vesicle
 namespace
 {
 
-FlowField flow_of(const Basis& basis, const TriangleMesh& mesh, const Points& forces)
+FlowField flow_of(
+  const Basis& basis, const TriangleMesh& mesh, const Points& forces, const Points& velocities)
 {
   const Collocation collocation(basis);
   return FlowField(
-    SurfacePanels(basis, collocation.fit(mesh.points), nodal_density(collocation.fit(forces))));
+    SurfacePanels(basis, collocation.fit(mesh.points), nodal_density(collocation.fit(forces)),
+      velocities.rows() > 0 ? Points(collocation.fit(velocities)) : Points()));
 }
 
 }
 
-FlowField membrane_flow(const TriangleMesh& mesh, SurfaceBasis basis, const Points& forces)
+FlowField membrane_flow(
+  const TriangleMesh& mesh, SurfaceBasis basis, const Points& forces, const Points& velocities)
 {
   const int nodes = static_cast<int>(mesh.points.rows());
-  return basis == SurfaceBasis::loop ? flow_of(LoopBasis(mesh.triangles, nodes), mesh, forces)
-                                     : flow_of(LinearBasis(mesh.triangles, nodes), mesh, forces);
+  return basis == SurfaceBasis::loop
+    ? flow_of(LoopBasis(mesh.triangles, nodes), mesh, forces, velocities)
+    : flow_of(LinearBasis(mesh.triangles, nodes), mesh, forces, velocities);
 }
 
 }

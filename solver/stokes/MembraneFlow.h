@@ -10,7 +10,9 @@ namespace vesicle
 
 /// Of force densities on the fluid at the vertices, of the membrane and gravity, N by 3, in any
 /// consistent units (Simulation::fields): f = Σ N_k f_k, with f_k such that f has these values at
-/// the vertices. Throws InputError if the mesh can't carry the basis.
-FlowField membrane_flow(const TriangleMesh& mesh, SurfaceBasis basis, const Points& forces);
+/// the vertices. Throws InputError if the mesh can't carry the basis. `velocities`: of the vertices,
+/// for the panels to have, or empty.
+FlowField membrane_flow(const TriangleMesh& mesh, SurfaceBasis basis, const Points& forces,
+  const Points& velocities = {});
 
 }

@@ -17,7 +17,6 @@ constexpr int max_terms = (smooth_degree + 1) * (smooth_degree + 2) / 2;
 // Levels of halving towards extraordinary vertices, where the tension force goes with a curvature
 // that isn't smooth.
 constexpr int grading = 4;
-constexpr int components = 6;
 // Gauss–Newton for the nearest point: steps below this part of the panel end it. It converges where
 // x is nearer than the radius of curvature; elsewhere a rough answer does.
 constexpr double smallest_step = 1e-12;
@@ -76,7 +75,9 @@ Eigen::MatrixXd interpolation_matrix(const std::vector<TrianglePoint>& nodes, in
 
 }
 
-SurfacePanels::SurfacePanels(const Basis& basis, const Points& control, const ForceDensity& density)
+SurfacePanels::SurfacePanels(
+  const Basis& basis, const Points& control, const ForceDensity& density, const Points& velocity)
+  : components_(velocity.rows() > 0 ? 9 : 6)
 {
   const bool smooth = basis.smooth();
   degree_ = smooth ? smooth_degree : 1;
@@ -85,14 +86,16 @@ SurfacePanels::SurfacePanels(const Basis& basis, const Points& control, const Fo
   const BasisTable table = basis.tabulate(basis.rule(nodes, smooth ? grading : 0));
   const SurfacePoints surface = evaluate(table, control);
 
-  Eigen::MatrixXd values(table.rows(), components);
+  Eigen::MatrixXd values(table.rows(), components_);
   values.leftCols<3>() = surface.position;
-  values.rightCols<3>() = density(table, surface).array().colwise() * surface.area_weight.array();
+  values.middleCols<3>(3) = density(table, surface).array().colwise() * surface.area_weight.array();
+  if (has_velocity())
+    values.rightCols<3>() = interpolate(table, velocity);
   const Eigen::MatrixXd to_coefficients = interpolation_matrix(nodes, degree_);
   coefficients_.resize(values.size());
   for (int first = 0; first < table.rows(); first += terms_)
     Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
-      coefficients_.data() + static_cast<long>(first) * components, terms_, components) =
+      coefficients_.data() + static_cast<long>(first) * components_, terms_, components_) =
       to_coefficients * values.middleRows(first, terms_);
 
   const int panels = table.rows() / terms_;
@@ -112,9 +115,10 @@ SurfacePanels::SurfacePanels(const Basis& basis, const Points& control, const Fo
 SurfacePanels::Sample SurfacePanels::sample(int panel, double u, double v) const
 {
   const Monomials monomial(degree_, u, v);
-  const double* c = coefficients_.data() + static_cast<long>(panel) * terms_ * components;
+  constexpr int components = 6;
+  const double* c = coefficients_.data() + static_cast<long>(panel) * terms_ * components_;
   double sum[components] = {};
-  for (int term = 0; term < terms_; ++term, c += components)
+  for (int term = 0; term < terms_; ++term, c += components_)
     for (int k = 0; k < components; ++k)
       sum[k] += monomial.value[term] * c[k];
   return { { sum[0], sum[1], sum[2] }, { sum[3], sum[4], sum[5] } };
@@ -123,9 +127,9 @@ SurfacePanels::Sample SurfacePanels::sample(int panel, double u, double v) const
 SurfacePanels::Frame SurfacePanels::frame(int panel, double u, double v) const
 {
   const Monomials monomial(degree_, u, v);
-  const double* c = coefficients_.data() + static_cast<long>(panel) * terms_ * components;
+  const double* c = coefficients_.data() + static_cast<long>(panel) * terms_ * components_;
   Frame f{ u, v, Vector3::Zero(), Vector3::Zero(), Vector3::Zero() };
-  for (int term = 0; term < terms_; ++term, c += components)
+  for (int term = 0; term < terms_; ++term, c += components_)
   {
     const Eigen::Map<const Vector3> x(c);
     f.position += monomial.value[term] * x;
@@ -133,6 +137,17 @@ SurfacePanels::Frame SurfacePanels::frame(int panel, double u, double v) const
     f.tangent_v += monomial.dv[term] * x;
   }
   return f;
+}
+
+SurfacePanels::Motion SurfacePanels::motion(int panel, double u, double v) const
+{
+  const Monomials monomial(degree_, u, v);
+  const double* c = coefficients_.data() + static_cast<long>(panel) * terms_ * components_;
+  const Frame f = frame(panel, u, v);
+  Motion motion{ f.position, Vector3::Zero(), f.cross() };
+  for (int term = 0; term < terms_; ++term, c += components_)
+    motion.velocity += monomial.value[term] * Eigen::Map<const Vector3>(c + 6);
+  return motion;
 }
 
 SurfacePanels::Frame SurfacePanels::nearest(int panel, const Vector3& x) const

@@ -15,7 +15,9 @@ namespace vesicle
 class SurfacePanels
 {
 public:
-  SurfacePanels(const Basis& basis, const Points& control, const ForceDensity& density);
+  /// `velocity`: at the nodes, interpolated as the position is; or empty.
+  SurfacePanels(const Basis& basis, const Points& control, const ForceDensity& density,
+    const Points& velocity = {});
 
   int size() const { return static_cast<int>(radius_.size()); }
   /// A sphere that holds the panel.
@@ -29,6 +31,13 @@ public:
     Vector3 force; ///< f |x_u × x_v|: force an area of the parametric domain
   };
   Sample sample(int panel, double u, double v) const;
+  bool has_velocity() const { return components_ > 6; }
+  /// Where there is one: the velocity, and n dS/(du dv).
+  struct Motion
+  {
+    Vector3 position, velocity, area;
+  };
+  Motion motion(int panel, double u, double v) const;
 
   /// Position and tangents.
   struct Frame
@@ -42,8 +51,8 @@ public:
   Frame nearest(int panel, const Vector3& x) const;
 
 private:
-  int degree_, terms_;
-  std::vector<double> coefficients_; ///< of each panel, term: x, y, z, force x, y, z
+  int degree_, terms_, components_;
+  std::vector<double> coefficients_; ///< of each panel, term: x, y, z, force x, y, z, u, v, w
   std::vector<Vector3> center_;
   std::vector<double> radius_;
 };

@@ -5,7 +5,7 @@
 
 #include "solver/Errors.h"
 #include "solver/mesh/Preparation.h"
-#include "solver/stokes/MembraneFlow.h"
+#include "solver/stokes/TwoFluidFlow.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
@@ -95,26 +95,40 @@ Points forces_on(vtkPolyData* surface)
   return forces;
 }
 
+/// Needed where the fluids differ.
+Points velocities_of(vtkPolyData* surface, double viscosity_ratio)
+{
+  if (viscosity_ratio == 1)
+  {
+    return {};
+  }
+  const auto velocity = point_array(surface, "Velocity", 3);
+  if (!velocity)
+  {
+    throw vesicle::InputError(
+      "the source lacks the point array Velocity, which its Viscosity_Ratio "
+      "other than 1 takes");
+  }
+  return *velocity;
+}
+
 /// What a source says of the flow around it.
 class Flow
 {
 public:
   explicit Flow(vtkDataObject* source)
     : Surface(SurfaceOf(source)), Medium(vesicle::read_medium(this->Surface->GetFieldData())),
-      Disturbance(vesicle::membrane_flow(
-        mesh_of(this->Surface), this->Medium.accuracy.basis, forces_on(this->Surface)))
+      Fluids(mesh_of(this->Surface), this->Medium.accuracy.basis, forces_on(this->Surface),
+        velocities_of(this->Surface, this->Medium.fluid.viscosity_ratio),
+        this->Medium.fluid.viscosity, this->Medium.fluid.viscosity_ratio)
   {
   }
 
   vesicle::FlowField::Flow At(const Points& points) const
   {
-    vesicle::FlowField::Flow flow = this->Disturbance.at(points);
-    flow.velocity /= this->Medium.fluid.viscosity;
-    if (this->Medium.flow)
-    {
-      flow.velocity += this->Medium.flow->velocities(points);
-    }
-    return flow;
+    return this->Fluids.at(points,
+      this->Medium.flow ? this->Medium.flow->velocities(points)
+                        : Points(Points::Zero(points.rows(), 3)));
   }
 
 private:
@@ -125,7 +139,7 @@ private:
 
   vtkSmartPointer<vtkPolyData> Surface;
   vesicle::Scene Medium;
-  vesicle::FlowField Disturbance;
+  vesicle::TwoFluidFlow Fluids;
 };
 
 Points points_of(vtkDataSet* data, vtkIdType first, vtkIdType count)

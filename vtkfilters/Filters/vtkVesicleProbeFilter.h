@@ -11,6 +11,8 @@
  *
  * The velocity is that of the imposed flow and the forces on the fluid, in the units of the source:
  * u(x) = u∞(x) + (1/8πμ) ∮ G(x, y) f(y) dS(y), the Stokes flow of the same viscosity on both sides.
+ * With a viscosity ratio λ the double layer −(1 − λ) K u joins in, and inside λ u is the sum; with λ = 0
+ * nothing is known of the fluid inside, whose velocity is given as 0.
  * It holds up to the membrane and on it: near the membrane the integral is computed by a quadrature
  * made for each point (relative error 1e-7 at any distance), and the error is that of the surface
  * and its forces: on a rigid sphere, anywhere, 6e-3 of its speed with 1,280 flat triangles and 1e-4
@@ -21,7 +23,8 @@
  * for arrays of these names.
  *
  * Read from the source: the point arrays Membrane_Force (a force an area), Gravity_Force if there
- * is gravity; the field data Viscosity, Surface_Basis (0 linear, 1 Loop),
+ * is gravity, Velocity if Viscosity_Ratio isn't 1; the field data Viscosity, Viscosity_Ratio (1 if
+ * there is none), Surface_Basis (0 linear, 1 Loop),
  * Flow_Kind (0 at rest, 1 uniform, 2 shear, 3 planar extension, 4 axisymmetric extension, 5
  * Poiseuille, 6 rotation) and, as the kind has them, Flow_Rate, Flow_Velocity, Flow_Radius,
  * Flow_Center, Flow_Axis. What is missing is an error that names it; a surface without them gets
