@@ -28,6 +28,7 @@ std::vector<Case> segmented_cases();
 std::vector<Case> operator_cases();
 std::vector<Case> sphere_cases();
 std::vector<Case> shear_cases();
+std::vector<Case> two_fluid_cases();
 std::vector<Case> equilibrium_cases();
 std::vector<Case> buoyancy_cases();
 std::vector<Case> relaxation_cases();

@@ -74,7 +74,7 @@ struct Stage
       return layer.apply(densities, precision);
     };
     solved.solution =
-      LoadStage(shape, apply, tau, reference, run.state)
+      LoadStage(shape, { apply, {} }, tau, reference, run.state)
         .solve(preconditioners, run.simulation.scene().accuracy.linear_tolerance, 200);
     return solved;
   }
@@ -168,7 +168,7 @@ using benchmark::DoNotOptimize;
   add("precondition",
     [](Stage& s)
     {
-      const LoadUnknowns residual{ s.start.tension, s.start.tension, 1, 1 };
+      const LoadUnknowns residual{ s.start.tension, s.start.tension, 1, 1, {} };
       DoNotOptimize(s.preconditioners[0].solve(s.loads(), residual));
     });
   benchmark::RegisterBenchmark("Part/solve", solve)->Apply(sizes);
