@@ -21,8 +21,9 @@ std::vector<std::string> run_of(
 {
   std::vector<std::string> arguments{ "run", scene.string(), "-o", "run" };
   arguments.insert(arguments.end(), coarse_and_short.begin(), coarse_and_short.end());
-  // Meshes are laid anew on Loop's surface only, which "fast" hasn't.
-  if (read_scene(scene).accuracy.mesh_motion != Scene::MeshMotion::adaptive)
+  // Some things are had on Loop's surface only, which "fast" hasn't.
+  const Scene read = read_scene(scene);
+  if (read.accuracy.mesh_motion != Scene::MeshMotion::adaptive && read.fluid.viscosity_ratio == 1)
     arguments.insert(arguments.end(), { "--set", "accuracy.preset=fast" });
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
