@@ -5,7 +5,6 @@
 #include "solver/linear/DensePanel.h"
 #include "solver/linear/FlushDenormals.h"
 
-
 namespace vesicle
 {
 
