@@ -5,6 +5,7 @@
 #include "solver/dynamics/Method.h"
 #include "solver/flow/ImposedFlow.h"
 #include "solver/membrane/BendingScheme.h"
+#include "solver/membrane/ElasticLaw.h"
 #include "solver/mesh/TriangleMesh.h"
 #include "solver/mesh/shapes/ShapeRequest.h"
 #include "solver/surface/SurfaceBasis.h"
@@ -45,6 +46,10 @@ struct Scene
     std::optional<double> area_difference_stiffness; ///< α, in EB; empty: no such elasticity
     double area_difference = 1;                      ///< m0 of ∮ H dS/√(4πA), 1 on a sphere
     bool incompressible = true;                      ///< false: no tension
+    std::optional<double> shear_modulus;             ///< G; empty: a fluid
+    ElasticLaw elasticity = ElasticLaw::neo_hookean; ///< of G
+    double dilation_modulus = 1;                     ///< C of Skalak's law, over G
+    double prestretch = 1; ///< lengths of the start over those without stress
   } membrane;
 
   struct Fluid

@@ -38,6 +38,11 @@ inline constexpr std::array bending_names{
   NamedChoice{ "variational", Scene::Bending::variational },
 };
 
+inline constexpr std::array elasticity_names{
+  NamedChoice{ "neo-hookean", ElasticLaw::neo_hookean },
+  NamedChoice{ "skalak", ElasticLaw::skalak },
+};
+
 inline constexpr std::array integrator_names{
   NamedChoice{ "imex-midpoint", Scene::Integrator::imex_midpoint },
   NamedChoice{ "imex-euler", Scene::Integrator::imex_euler },
@@ -78,8 +83,8 @@ inline const std::vector<std::string> chart_names{ "none", "energy", "inclinatio
 
 /// The point arrays that a run can write.
 inline const std::vector<std::string> field_names{ "Mean_Curvature", "Gauss_Curvature",
-  "Laplacian_Mean_Curvature", "Normals", "Bending_Force", "Area_Difference_Force", "Tension",
-  "Tension_Force", "Membrane_Force", "Gravity_Force", "Velocity", "Surface_Divergence" };
+  "Laplacian_Mean_Curvature", "Normals", "Bending_Force", "Area_Difference_Force", "Elastic_Force",
+  "Tension", "Tension_Force", "Membrane_Force", "Gravity_Force", "Velocity", "Surface_Divergence" };
 
 template<class Choices, class Choice>
 std::string name_of(const Choices& choices, Choice choice)

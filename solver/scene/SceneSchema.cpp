@@ -129,6 +129,11 @@ SceneTable top_table()
   return table;
 }
 
+bool is_elastic(const Scene& scene)
+{
+  return scene.membrane.shear_modulus.has_value();
+}
+
 SceneTable membrane_table()
 {
   using Membrane = Scene::Membrane;
@@ -155,6 +160,22 @@ SceneTable membrane_table()
         [](const Scene& scene) { return scene.membrane.area_difference_stiffness.has_value(); }),
     key("incompressible", at(&Scene::membrane, &Membrane::incompressible), rules::Flag{}, "",
       "a tension keeps the area of every patch; false: no tension"),
+    key("shear_modulus", at(&Scene::membrane, &Membrane::shear_modulus), rules::Number{ positive },
+      "energy/area",
+      "G of an elastic sheet, whose shape without stress is the start's; needs mesh_motion = "
+      "\"material\"")
+      .otherwise("a fluid"),
+    key("elasticity", at(&Scene::membrane, &Membrane::elasticity),
+      rules::Choice{ elasticity_names }, "",
+      "\"neo-hookean\": (G/2) (I1 − 1 + 1/(I2 + 1)) an area; \"skalak\": (G/4) (I1² + 2 I1 − 2 I2 "
+      "+ C I2²); needs shear_modulus")
+      .written_if(is_elastic),
+    key("dilation_modulus", at(&Scene::membrane, &Membrane::dilation_modulus),
+      rules::Number{ positive }, "shear_modulus", "C of Skalak's law; needs shear_modulus")
+      .written_if(is_elastic),
+    key("prestretch", at(&Scene::membrane, &Membrane::prestretch), rules::Number{ positive }, "",
+      "lengths of the start over those without stress; needs shear_modulus")
+      .written_if(is_elastic),
   };
   table.check = [](const TableReader& reader, const Scene& scene)
   {
@@ -168,6 +189,9 @@ SceneTable membrane_table()
     if (!scene.membrane.area_difference_stiffness && reader.has("area_difference"))
       reader.fail("area_difference", "does nothing without area_difference_stiffness",
         "a number, beside area_difference_stiffness");
+    for (const char* key : { "elasticity", "dilation_modulus", "prestretch" })
+      if (!scene.membrane.shear_modulus && reader.has(key))
+        reader.fail(key, "does nothing without shear_modulus", "it beside shear_modulus");
   };
   return table;
 }
@@ -303,6 +327,10 @@ void check_accuracy(const TableReader& table, const Scene& scene)
     table.fail(table.has("basis") ? "basis" : "preset",
       "has fluids of one viscosity only, and fluid.viscosity_ratio isn't 1",
       "\"balanced\" or \"accurate\", or basis = \"loop\"");
+  if (is_elastic(scene) &&
+    (accuracy.basis != Scene::Basis::loop || accuracy.mesh_motion != Scene::MeshMotion::material))
+    table.fail("mesh_motion", "loses the material of an elastic membrane (membrane.shear_modulus)",
+      "\"material\", on Loop's surface");
   check_adaptive(table, accuracy);
 }
 

@@ -13,10 +13,10 @@ static std::optional<double> fixed_step(const Scene& scene, const Scales& scales
   return {};
 }
 
-SceneOnMesh::SceneOnMesh(
-  const Scene& scene, const Scales& scales, const Triangles& triangles, int points)
+SceneOnMesh::SceneOnMesh(const Scene& scene, const Scales& scales, const Triangles& triangles,
+  int points, const Points& start)
   : triangles_(triangles), points_(points), bends_(scene.membrane.bending_rigidity.has_value()),
-    evolution_(system_of(scene, scales, triangles, points), stepper_settings_of(scene),
+    evolution_(system_of(scene, scales, triangles, points, start), stepper_settings_of(scene),
       schedule_of(scene), scales.time(), fixed_step(scene, scales)),
     report_(evolution_.system(), scales)
 {

@@ -15,7 +15,9 @@ namespace vesicle
 class SceneOnMesh
 {
 public:
-  SceneOnMesh(const Scene& scene, const Scales& scales, const Triangles& triangles, int points);
+  /// `start`: see system_of.
+  SceneOnMesh(const Scene& scene, const Scales& scales, const Triangles& triangles, int points,
+    const Points& start);
 
   const Triangles& triangles() const { return triangles_; }
   Evolution& evolution() { return evolution_; }

@@ -69,7 +69,7 @@ struct Simulation::Impl
   std::unique_ptr<SceneOnMesh> on(const TriangleMesh& mesh) const
   {
     return std::make_unique<SceneOnMesh>(
-      scene, scales, mesh.triangles, static_cast<int>(mesh.points.rows()));
+      scene, scales, mesh.triangles, static_cast<int>(mesh.points.rows()), start_points()[0]);
   }
   Evolution& start_evolution()
   {

@@ -2,6 +2,7 @@
 
 #include "solver/membrane/AreaDifference.h"
 #include "solver/membrane/Buoyancy.h"
+#include "solver/membrane/ElasticSheet.h"
 #include "solver/membrane/HelfrichBending.h"
 #include "solver/surface/SurfaceMeasures.h"
 
@@ -32,6 +33,14 @@ VertexCurvature curvature_of(const Scene::Accuracy& accuracy)
 
 }
 
+/// Without units.
+static ElasticModuli elastic_moduli(const Scene::Membrane& membrane, const Scales& scales)
+{
+  return { membrane.elasticity,
+    *membrane.shear_modulus * scales.length * scales.length / scales.energy,
+    membrane.dilation_modulus };
+}
+
 Scales scales_of(const Scene& scene, const TriangleMesh& mesh)
 {
   return { equivalent_radius(surface_measures(scene.accuracy.basis, mesh).volume),
@@ -49,7 +58,8 @@ MembraneTerms membrane_terms(const Scene& scene, const SurfaceSpace& space, cons
   return terms;
 }
 
-System system_of(const Scene& scene, const Scales& scales, const Triangles& triangles, int nodes)
+System system_of(const Scene& scene, const Scales& scales, const Triangles& triangles, int nodes,
+  const Points& start)
 {
   const Scene::Accuracy& accuracy = scene.accuracy;
   auto space = std::make_unique<SurfaceSpace>(
@@ -60,6 +70,9 @@ System system_of(const Scene& scene, const Scales& scales, const Triangles& tria
                                                                        : NodeMotionKind::normal;
   vesicle.viscosity_ratio = scene.fluid.viscosity_ratio;
   vesicle.terms = membrane_terms(scene, *vesicle.space, scales);
+  if (scene.membrane.shear_modulus)
+    vesicle.terms.push_back(std::make_unique<ElasticSheet>(
+      elastic_moduli(scene.membrane, scales), *vesicle.space, start / scene.membrane.prestretch));
   if (scene.membrane.incompressible)
     vesicle.incompressibility = make_incompressibility(*vesicle.space);
   if (scene.gravity)

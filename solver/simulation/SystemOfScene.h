@@ -19,7 +19,10 @@ double bond_number(const Scene::Gravity& gravity, const Scales& scales);
 MembraneTerms membrane_terms(const Scene& scene, const SurfaceSpace& space, const Scales& scales);
 
 /// The scene's vesicle on the triangles of a mesh of `nodes` vertices, and the flow, dimensionless.
-System system_of(const Scene& scene, const Scales& scales, const Triangles& triangles, int nodes);
+/// `start`: the start shape's vertices on these triangles, in units of r0, for elastic
+/// membranes.
+System system_of(const Scene& scene, const Scales& scales, const Triangles& triangles, int nodes,
+  const Points& start = {});
 
 StepperSettings stepper_settings_of(const Scene& scene);
 OutputSchedule schedule_of(const Scene& scene);

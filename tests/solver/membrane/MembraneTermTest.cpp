@@ -2,6 +2,7 @@
 #include "solver/dynamics/LumpedForces.h"
 #include "solver/membrane/AreaDifference.h"
 #include "solver/membrane/Buoyancy.h"
+#include "solver/membrane/ElasticSheet.h"
 #include "solver/membrane/HelfrichBending.h"
 #include "tests/solver/support/TestMeshes.h"
 
@@ -77,6 +78,16 @@ const MakeTerm area_difference = [](const SurfaceSpace&)
 { return std::make_unique<AreaDifference>(1.4, 1.2); };
 const MakeTerm buoyancy = [](const SurfaceSpace& space) { return make_buoyancy(space, 3); };
 
+MakeTerm sheet(ElasticLaw law)
+{
+  return [law](const SurfaceSpace& space)
+  {
+    const int triangles = static_cast<int>(space.triangles().rows());
+    return std::make_unique<ElasticSheet>(
+      ElasticModuli{ law, 1.5, 2 }, space, test::smooth_sphere(triangles).points);
+  };
+}
+
 INSTANTIATE_TEST_SUITE_P(Terms, Term,
   testing::Values(TermCase{ "Bending", bending, SurfaceBasis::loop, 1e-6, 1e-6 },
     TermCase{ "SpontaneousCurvature", curved, SurfaceBasis::loop, 1e-6, 1e-6 },
@@ -84,6 +95,8 @@ INSTANTIATE_TEST_SUITE_P(Terms, Term,
     TermCase{ "AreaDifference", area_difference, SurfaceBasis::loop, 1e-6, 1e-6 },
     TermCase{ "FlatAreaDifference", area_difference, SurfaceBasis::linear, 0.13, 0.032 },
     TermCase{ "Buoyancy", buoyancy, SurfaceBasis::loop, 2e-8, 2e-9 },
+    TermCase{ "NeoHookean", sheet(ElasticLaw::neo_hookean), SurfaceBasis::loop, 1e-7, 1e-7 },
+    TermCase{ "Skalak", sheet(ElasticLaw::skalak), SurfaceBasis::loop, 1e-7, 1e-7 },
     TermCase{ "FlatBuoyancy", buoyancy, SurfaceBasis::linear, 2e-9, 2e-9 }),
   [](const auto& term) { return term.param.name; });
 
