@@ -201,6 +201,12 @@ bool is_file(const path& path)
   return std::filesystem::is_regular_file(path, ignored);
 }
 
+bool is_folder(const std::filesystem::path& path)
+{
+  std::error_code unknown;
+  return std::filesystem::is_directory(path, unknown);
+}
+
 void require_file(const path& file)
 {
   std::error_code ignored;

@@ -23,10 +23,11 @@ std::filesystem::path unfinished_name(const std::filesystem::path& file);
 /// on the disk. Throws IoError; nothing unfinished is then left.
 void finish_file(const std::filesystem::path& file);
 
-/// Whether something is there, or a file. Neither throws, as std::filesystem does for names that the
-/// system doesn't take: too long, links that go round.
+/// Whether something is there, a file, or a folder. None throws, as std::filesystem does for names
+/// that the system doesn't take: too long, links that go round.
 bool is_there(const std::filesystem::path& path);
 bool is_file(const std::filesystem::path& path);
+bool is_folder(const std::filesystem::path& path);
 
 /// All of a file or of what comes through a pipe, up to 1 GiB. A pipe is read until nobody has it open
 /// for writing any more; `patience` is how long it is waited for somebody to do so at all. Throws

@@ -46,6 +46,11 @@ std::optional<Holder> holder_in(int descriptor)
   return words >> holder.process >> holder.host ? std::optional(holder) : std::nullopt;
 }
 
+std::string text_of(const Holder& holder)
+{
+  return fmt::format("process {} on {}", holder.process, holder.host);
+}
+
 bool has_ended(const Holder& holder)
 {
   return holder.host == host_name() && ::kill(static_cast<pid_t>(holder.process), 0) != 0 &&
@@ -62,8 +67,7 @@ bool same_file(int descriptor, const std::filesystem::path& file)
 [[noreturn]] void refuse(
   const std::filesystem::path& file, const std::optional<Holder>& holder, const std::string& remedy)
 {
-  const auto who =
-    holder ? fmt::format(" (process {} on {})", holder->process, holder->host) : std::string();
+  const auto who = holder ? fmt::format(" ({})", text_of(*holder)) : std::string();
   throw IoError(fmt::format("{}: locked by another run{}; {}", file.string(), who, remedy));
 }
 
@@ -159,6 +163,18 @@ void FileLock::take_down_holder()
     ::unlink(file_.c_str());
     system_calls::fail_to_write(file_, reason);
   }
+}
+
+std::string lock_holder(const std::filesystem::path& file)
+{
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0)
+  {
+    return {};
+  }
+  const auto holder = holder_in(descriptor);
+  ::close(descriptor);
+  return holder && !has_ended(*holder) ? text_of(*holder) : std::string();
 }
 
 }

@@ -6,6 +6,7 @@
 #include "solver/scene/NearestName.h"
 #include "solver/scene/SceneDocument.h"
 #include "solver/scene/SceneSchema.h"
+#include "solver/scene/SceneWriter.h"
 #include "solver/scene/TableReader.h"
 
 #include <fmt/format.h>
@@ -87,6 +88,12 @@ Scene read_document(const SceneDocument& document)
   return scene;
 }
 
+SceneDocument document_of(
+  const std::filesystem::path& file, const std::vector<std::string>& overrides)
+{
+  return parse_document(read_file(file), file.string(), file.parent_path(), overrides);
+}
+
 /// A missing mesh is better said here, with the scene's line, than when it is read.
 void check_mesh_exists(const SceneDocument& document, const Scene& scene)
 {
@@ -100,8 +107,7 @@ void check_mesh_exists(const SceneDocument& document, const Scene& scene)
 
 Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& overrides)
 {
-  const SceneDocument document =
-    parse_document(read_file(file), file.string(), file.parent_path(), overrides);
+  const SceneDocument document = document_of(file, overrides);
   Scene scene = read_document(document);
   check_mesh_exists(document, scene);
   scene.file = std::filesystem::absolute(file).lexically_normal();
@@ -112,6 +118,18 @@ Scene parse_scene(const std::string& text, const std::string& name,
   const std::filesystem::path& folder, const std::vector<std::string>& overrides)
 {
   return read_document(parse_document(text, name, folder, overrides));
+}
+
+std::string annotated_scene(
+  const std::filesystem::path& file, const std::vector<std::string>& overrides)
+{
+  const SceneDocument document = document_of(file, overrides);
+  const auto remark = [&](const SceneTable& table, const SceneKey& key)
+  {
+    const std::string origin = document.find(table.name, key.name) ? "" : "by default";
+    return origin.empty() || key.unit.empty() ? origin + key.unit : key.unit + "; " + origin;
+  };
+  return write_scene(read_document(document), remark);
 }
 
 }

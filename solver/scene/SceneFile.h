@@ -28,4 +28,9 @@ Scene parse_scene(const std::string& text, const std::string& name,
 /// number bit for bit (`file` and, for start shapes, `edge_length` aren't part of the format).
 std::string write_scene(const Scene& scene);
 
+/// The same of a scene as read_scene() reads it, with a comment at each key: its unit, and whether
+/// it was left out ("by default").
+std::string annotated_scene(
+  const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
 }

@@ -75,7 +75,8 @@ Cost cost_of(const Scene& scene, double triangles)
   if (scene.time.end && scene.time.step)
     cost.steps = *scene.time.end / *scene.time.step;
   cost.steps = std::max(cost.steps, cost.frames - 1);
-  cost.seconds = cost.steps * step_seconds(scene, triangles);
+  cost.step_seconds = step_seconds(scene, triangles);
+  cost.seconds = cost.steps * cost.step_seconds;
   cost.disk = cost.frames * frame_bytes_a_triangle * triangles;
   cost.picture = bytes_a_pixel * scene.movie.size[0] * scene.movie.size[1];
   return cost;

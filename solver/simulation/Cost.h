@@ -10,12 +10,13 @@ namespace vesicle
 
 struct Cost
 {
-  double memory = 0;  ///< bytes
-  double frames = 0;  ///< 0: unknown, the run ends when it is steady
-  double steps = 0;   ///< at least; 0: unknown
-  double seconds = 0; ///< of `steps` on one core, roughly
-  double disk = 0;    ///< bytes of all frames, before compression
-  double picture = 0; ///< bytes while one picture of the movie is drawn
+  double memory = 0;       ///< bytes
+  double frames = 0;       ///< 0: unknown, the run ends when it is steady
+  double steps = 0;        ///< at least; 0: unknown
+  double step_seconds = 0; ///< of a step on one core, roughly
+  double seconds = 0;      ///< of `steps`
+  double disk = 0;         ///< bytes of all frames, before compression
+  double picture = 0;      ///< bytes while one picture of the movie is drawn
 };
 
 /// By models fitted to runs of 320 to 5,120 triangles (docs/performance.md).

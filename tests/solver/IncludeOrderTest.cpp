@@ -19,9 +19,10 @@ namespace fs = std::filesystem;
 
 /// From the ground up: a folder includes itself and those before it, and what stands in solver/.
 const std::vector<std::string> folders{ "solver", "solver/files", "solver/linear", "solver/mesh",
-  "solver/mesh/io", "solver/mesh/shapes", "solver/mesh/remesh", "solver/surface", "solver/flow",
-  "solver/membrane", "solver/equilibrium", "solver/adaptation", "solver/stokes/kernels",
-  "solver/stokes", "solver/dynamics", "solver/state", "solver/scene", "solver/simulation" };
+  "solver/mesh/io", "solver/mesh/shapes", "solver/mesh/remesh", "solver/mesh/repair",
+  "solver/surface", "solver/flow", "solver/membrane", "solver/equilibrium", "solver/adaptation",
+  "solver/stokes/kernels", "solver/stokes", "solver/dynamics", "solver/state", "solver/scene",
+  "solver/simulation" };
 
 /// The files of a folder itself: "solver/mesh/Topology.cpp" and so on.
 std::vector<std::string> sources_in(const std::string& folder)

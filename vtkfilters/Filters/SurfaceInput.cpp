@@ -3,7 +3,7 @@
 #include "MeshConversion.h"
 
 #include "solver/Errors.h"
-#include "solver/mesh/PointHash.h"
+#include "solver/mesh/MergedPoints.h"
 #include "solver/mesh/PolygonMesh.h"
 #include "solver/mesh/Triangulation.h"
 #include "solver/mesh/io/CellTypes.h"
@@ -482,29 +482,21 @@ vtkSmartPointer<vtkPolyData> without_ghosts(vtkPolyData* triangles)
 vtkSmartPointer<vtkPolyData> merged(vtkPolyData* triangles, double distance)
 {
   const TriangleMesh mesh = to_mesh(triangles);
-  PointHash seen(distance);
+  const MergedPoints merging = merged_points(mesh.points, distance);
+  const Points points = kept_points(mesh.points, merging);
   vtkNew<vtkIdList> kept, numbers;
-  std::vector<std::int64_t> number(mesh.points.rows());
-  for (Eigen::Index i = 0; i < mesh.points.rows(); ++i)
+  for (const int point : merging.kept)
   {
-    const Vector3 x = (mesh.points.row(i) - mesh.points.row(0)).transpose();
-    const int twin = seen.find(x);
-    number[i] = twin >= 0 ? twin : kept->GetNumberOfIds();
-    if (twin < 0)
-    {
-      seen.insert(x, static_cast<int>(kept->GetNumberOfIds()));
-      numbers->InsertNextId(kept->GetNumberOfIds());
-      kept->InsertNextId(i);
-    }
+    numbers->InsertNextId(kept->GetNumberOfIds());
+    kept->InsertNextId(point);
   }
-  Points points(kept->GetNumberOfIds(), 3);
-  for (Eigen::Index i = 0; i < points.rows(); ++i)
-    points.row(i) = mesh.points.row(kept->GetId(i));
   PolygonList polygons;
   for (int t = 0; t < mesh.triangles.rows(); ++t)
   {
-    const auto row = mesh.triangles.row(t);
-    polygons.add(std::array{ number[row[0]], number[row[1]], number[row[2]] }, t);
+    std::array<std::int64_t, 3> triangle;
+    for (int k = 0; k < 3; ++k)
+      triangle[k] = merging.number[mesh.triangles(t, k)];
+    polygons.add(triangle, t);
   }
   vtkNew<vtkPointData> point_data;
   point_data->CopyAllOn();

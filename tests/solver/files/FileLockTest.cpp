@@ -98,6 +98,18 @@ TEST_P(FileLockTest, IsHeldOnceAndLeavesNothing)
   EXPECT_EQ(refusal(), "");
 }
 
+TEST_P(FileLockTest, TellsWhoHoldsIt)
+{
+  EXPECT_EQ(lock_holder(file), "");
+  {
+    const FileLock lock(file);
+    const auto who = "process " + std::to_string(::getpid()) + " on ";
+    EXPECT_TRUE(lock_holder(file).starts_with(who)) << lock_holder(file);
+    EXPECT_NE(refusal(), ""); // it is held as before
+  }
+  EXPECT_EQ(lock_holder(file), "");
+}
+
 TEST_P(FileLockTest, GoesWithItsHolder)
 {
   const pid_t holder = start_holder();

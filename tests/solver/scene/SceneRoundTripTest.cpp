@@ -126,6 +126,19 @@ TEST(SceneRoundTrip, EveryExampleScene)
   EXPECT_GE(scenes, 7);
 }
 
+// Remarks are comments: the settings are the same.
+TEST(SceneRoundTrip, WithRemarksToo)
+{
+  for (const auto& entry : std::filesystem::directory_iterator(scenes_folder))
+  {
+    SCOPED_TRACE(entry.path().string());
+    const std::vector<std::string> overrides{ "time.tolerance=0.01" };
+    const std::string text = annotated_scene(entry.path(), overrides);
+    expect_same(read_scene(entry.path(), overrides), parse_scene(text, "annotated"));
+    EXPECT_NE(text.find("by default"), std::string::npos);
+  }
+}
+
 TEST(SceneRoundTrip, Defaults)
 {
   const Scene scene = parsed("[vesicle]\nshape = \"sphere\"");
