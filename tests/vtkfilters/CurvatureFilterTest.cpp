@@ -12,6 +12,8 @@
 #include "vtkDoubleArray.h"
 #include "vtkFlyingEdges3D.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationStringKey.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPlaneSource.h"
@@ -637,6 +639,51 @@ TEST(CurvatureFilter, ProgressAndAbortAtALengthScale)
   filter->Modified();
   filter->Update();
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+// Of a square of 5 × 5 points the border is undefined.
+TEST(CurvatureFilter, UndefinedIsNaNIfSoWanted)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetResolution(4, 4);
+  vtkNew<vtkVesicleCurvatureFilter> filter;
+  filter->SetInputConnection(plane->GetOutputPort());
+  filter->PrincipalCurvaturesOn();
+  filter->ShapeDescriptorsOn();
+  for (const bool nan : { false, true })
+  {
+    filter->SetUndefinedIsNaN(nan);
+    filter->Update();
+    vtkPolyData* output = filter->GetOutput();
+    for (const char* name : { "Mean_Curvature", "Gauss_Curvature", "Maximum_Curvature",
+           "Maximum_Direction", "Curvedness", "Mean_Curvature_Error" })
+    {
+      for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+      {
+        const bool defined = value(output, "Curvature_Valid", i) == 1;
+        EXPECT_EQ(std::isnan(value(output, name, i)), nan && !defined) << name << ' ' << i;
+      }
+    }
+    for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+    {
+      const bool defined = value(output, "Bending_Force_Valid", i) == 1;
+      EXPECT_EQ(std::isnan(value(output, "Bending_Force", i)), nan && !defined);
+      EXPECT_EQ(std::isnan(value(output, "Laplacian_Mean_Curvature", i)), nan && !defined);
+      EXPECT_FALSE(std::isnan(value(output, "Normals", i)));
+    }
+  }
+}
+
+TEST(CurvatureFilter, ArraysKnowUnitsAndComponents)
+{
+  const auto output = with_curvature(sphere());
+  const auto unit = [&](const char* name)
+  { return std::string(array(output, name)->GetInformation()->Get(vtkDataArray::UNITS_LABEL())); };
+  EXPECT_EQ(unit("Mean_Curvature"), "1/length");
+  EXPECT_EQ(unit("Gauss_Curvature"), "1/length^2");
+  EXPECT_EQ(unit("Bending_Force"), "force/length^2");
+  EXPECT_STREQ(array(output, "Bending_Force")->GetComponentName(0), "X");
+  EXPECT_STREQ(array(output, "Normals")->GetComponentName(2), "Z");
 }
 
 }

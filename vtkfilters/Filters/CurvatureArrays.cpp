@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -77,11 +78,31 @@ vtkSmartPointer<vtkUnsignedCharArray> mask_array(const char* name, const Mask& m
   return array;
 }
 
+/// Adds arrays that aren't defined at all vertices, where they are 0, or NaN if so wanted.
+struct PartlyDefined
+{
+  vtkPointData* arrays;
+  bool undefined_is_nan;
+
+  void add(const char* name, Eigen::MatrixXd values, const Mask& valid) const
+  {
+    for (Eigen::Index i = 0; undefined_is_nan && i < values.rows(); ++i)
+    {
+      if (!valid[i])
+      {
+        values.row(i).setConstant(std::numeric_limits<double>::quiet_NaN());
+      }
+    }
+    arrays->AddArray(to_array(name, values));
+  }
+};
+
 /// What a scheme gives.
 struct Computed
 {
   Curvature curvature;
-  Points direction; ///< of the greatest normal curvature; no rows: unknown
+  Points direction;           ///< of the greatest normal curvature; no rows: unknown
+  Eigen::VectorXd mean_error; ///< standard error of the mean curvature; no rows: unknown
   std::string remark;
 };
 
@@ -128,9 +149,9 @@ Computed fitted(const TriangleMesh& mesh, const Connectivity& connectivity,
   FittedCurvature fit = fitted_curvature(mesh, connectivity, options, progress);
   arrays->AddArray(to_array("Fit_Residual", fit.residual));
   arrays->AddArray(to_array("Fit_Degree", Eigen::VectorXd(fit.degree.cast<double>())));
-  arrays->AddArray(to_array("Mean_Curvature_Error", fit.mean_error));
   std::string remark = noise_remark(mesh, connectivity, fit, options.radius);
-  return { std::move(fit.curvature), std::move(fit.direction), std::move(remark) };
+  return { std::move(fit.curvature), std::move(fit.direction), std::move(fit.mean_error),
+    std::move(remark) };
 }
 
 /// By the scheme's name; the fit adds its own arrays.
@@ -142,25 +163,25 @@ Computed computed(const TriangleMesh& mesh, const Connectivity& connectivity,
     case vtkVesicleCurvatureFilter::Cotan:
       return { cotan_curvature(CotanGeometry(mesh.points, mesh.triangles), mesh.points,
                  NormalScheme::area_weighted),
-        {}, {} };
+        {}, {}, {} };
     case vtkVesicleCurvatureFilter::Loop:
-      return { loop_curvature(mesh, progress), {}, {} };
+      return { loop_curvature(mesh, progress), {}, {}, {} };
     default:
       return fitted(mesh, connectivity, settings, progress, arrays);
   }
 }
 
 void add_bending_force(Curvature& curvature, const Mask& valid, const Connectivity& connectivity,
-  double rigidity, vtkPointData* arrays)
+  double rigidity, const PartlyDefined& to)
 {
   Mask force_valid = with_valid_neighbours(valid, connectivity.vertex_neighbours);
   drop_invalid(curvature.laplacian_mean, force_valid);
   Eigen::VectorXd density = rigidity * bending_density(curvature);
   drop_invalid(density, force_valid);
   const Points force = curvature.normal.array().colwise() * density.array();
-  arrays->AddArray(to_array("Laplacian_Mean_Curvature", curvature.laplacian_mean));
-  arrays->AddArray(to_array("Bending_Force", force));
-  arrays->AddArray(mask_array("Bending_Force_Valid", force_valid));
+  to.add("Laplacian_Mean_Curvature", curvature.laplacian_mean, force_valid);
+  to.add("Bending_Force", force, force_valid);
+  to.arrays->AddArray(mask_array("Bending_Force_Valid", force_valid));
 }
 
 /// (κ1 − κ2)/2; the fits leave H² − K below 0 at most by their error.
@@ -170,7 +191,7 @@ Eigen::ArrayXd half_difference(const Curvature& curvature)
 }
 
 void add_directions(const Points& greatest, const Curvature& curvature, const Mask& valid,
-  bool inverted, vtkPointData* arrays)
+  bool inverted, const PartlyDefined& to)
 {
   Points least(greatest.rows(), 3), most = greatest;
   for (Eigen::Index i = 0; i < most.rows(); ++i)
@@ -185,11 +206,11 @@ void add_directions(const Points& greatest, const Curvature& curvature, const Ma
   {
     most.swap(least);
   }
-  arrays->AddArray(to_array("Maximum_Direction", most));
-  arrays->AddArray(to_array("Minimum_Direction", least));
+  to.add("Maximum_Direction", most, valid);
+  to.add("Minimum_Direction", least, valid);
 }
 
-void add_shape_descriptors(const Curvature& curvature, vtkPointData* arrays)
+void add_shape_descriptors(const Curvature& curvature, const Mask& valid, const PartlyDefined& to)
 {
   const Eigen::ArrayXd mean = curvature.mean, half = half_difference(curvature);
   Eigen::VectorXd index(mean.size());
@@ -199,9 +220,9 @@ void add_shape_descriptors(const Curvature& curvature, vtkPointData* arrays)
   }
   const Eigen::VectorXd curvedness = (mean.square() + half.square()).sqrt();
   const Eigen::VectorXd density = mean.square();
-  arrays->AddArray(to_array("Curvedness", curvedness));
-  arrays->AddArray(to_array("Shape_Index", index));
-  arrays->AddArray(to_array("Willmore_Density", density));
+  to.add("Curvedness", curvedness, valid);
+  to.add("Shape_Index", index, valid);
+  to.add("Willmore_Density", density, valid);
 }
 
 }
@@ -224,33 +245,38 @@ std::string add_curvature_arrays(const TriangleMesh& mesh, const CurvatureSettin
   drop_invalid(curvature.gauss, valid);
   drop_invalid(curvature.mean, valid);
   curvature.normal = curvature.normal.unaryExpr([](double n) { return std::isfinite(n) ? n : 0; });
-  arrays->AddArray(to_array("Gauss_Curvature", curvature.gauss));
+  const PartlyDefined to{ arrays, settings.undefined_is_nan };
+  to.add("Gauss_Curvature", curvature.gauss, valid);
+  if (found.mean_error.size() > 0)
+  {
+    to.add("Mean_Curvature_Error", found.mean_error, valid);
+  }
   arrays->AddArray(mask_array("Curvature_Valid", valid));
   if (settings.bending_force)
   {
-    add_bending_force(curvature, valid, connectivity, settings.bending_rigidity, arrays);
+    add_bending_force(curvature, valid, connectivity, settings.bending_rigidity, to);
   }
   if (settings.inverted)
   {
     curvature.mean = -curvature.mean;
   }
-  arrays->AddArray(to_array("Mean_Curvature", curvature.mean));
+  to.add("Mean_Curvature", curvature.mean, valid);
   for (const int type : { VTK_CURVATURE_MAXIMUM, VTK_CURVATURE_MINIMUM })
   {
     if (settings.principal_curvatures || settings.type == type)
     {
       const double sign = type == VTK_CURVATURE_MAXIMUM ? 1 : -1;
       const Eigen::VectorXd principal = curvature.mean.array() + sign * half_difference(curvature);
-      arrays->AddArray(to_array(curvature_array_name(type), principal));
+      to.add(curvature_array_name(type), principal, valid);
     }
   }
   if (settings.principal_curvatures && found.direction.rows() > 0)
   {
-    add_directions(found.direction, curvature, valid, settings.inverted, arrays);
+    add_directions(found.direction, curvature, valid, settings.inverted, to);
   }
   if (settings.shape_descriptors)
   {
-    add_shape_descriptors(curvature, arrays);
+    add_shape_descriptors(curvature, valid, to);
   }
   arrays->SetNormals(to_array("Normals", curvature.normal));
   return found.remark;

@@ -19,6 +19,7 @@ struct CurvatureSettings
   double bending_rigidity;
   double fit_radius, fit_rings;
   bool bending_force, principal_curvatures, shape_descriptors;
+  bool undefined_is_nan;
 };
 
 /// Adds them for a mesh that may have neither points nor triangles, and whose triangles'

@@ -1,5 +1,7 @@
 #include "MeshConversion.h"
 
+#include "ArrayLabels.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
@@ -143,6 +145,7 @@ vtkSmartPointer<vtkDoubleArray> to_array(const std::string& name, const Eigen::M
       array->SetTypedComponent(i, static_cast<int>(j), values(i, j));
     }
   }
+  label(array);
   return array;
 }
 

@@ -30,7 +30,7 @@ VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPoints> to_vtk_points(
 /// The surface's own points in double precision, as what is computed from them is.
 VESICLEFILTERS_EXPORT void use_double_points(vtkPolyData* surface);
 VESICLEFILTERS_EXPORT vtkSmartPointer<vtkCellArray> to_cells(const Triangles& triangles);
-/// One tuple a row.
+/// One tuple a row, with unit and names of components (ArrayLabels.h).
 VESICLEFILTERS_EXPORT vtkSmartPointer<vtkDoubleArray> to_array(
   const std::string& name, const Eigen::MatrixXd& values);
 

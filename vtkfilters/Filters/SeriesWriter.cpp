@@ -1,5 +1,6 @@
 #include "SeriesWriter.h"
 
+#include "ArrayLabels.h"
 #include "MeshConversion.h"
 #include "MeshFiles.h"
 
@@ -25,6 +26,7 @@ vtkSmartPointer<vtkPolyData> as_frame(vtkPolyData* surface, double time)
   vtkNew<vtkDoubleArray> value;
   value->SetName("TimeValue");
   value->InsertNextValue(time);
+  label(value);
   auto copy = vtkSmartPointer<vtkPolyData>::New();
   copy->ShallowCopy(surface);
   vtkFieldData* fields = copy->GetFieldData();

@@ -127,7 +127,7 @@ int vtkVesicleCurvatureFilter::RequestData(
     vtkPointData* arrays = output->GetPointData();
     const vesicle::CurvatureSettings settings{ this->Scheme, this->CurvatureType,
       this->InvertMeanCurvature != 0, this->BendingRigidity, this->FitRadius, this->FitRings,
-      this->BendingForce, this->PrincipalCurvatures, this->ShapeDescriptors };
+      this->BendingForce, this->PrincipalCurvatures, this->ShapeDescriptors, this->UndefinedIsNaN };
     const std::string remark = vesicle::add_curvature_arrays(
       mesh, settings, vesicle::part_of(progress, checked, computed), arrays);
     progress(computed);
@@ -163,5 +163,6 @@ void vtkVesicleCurvatureFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BendingForce: " << (this->BendingForce ? "on" : "off") << '\n';
   os << indent << "PrincipalCurvatures: " << (this->PrincipalCurvatures ? "on" : "off") << '\n';
   os << indent << "ShapeDescriptors: " << (this->ShapeDescriptors ? "on" : "off") << '\n';
+  os << indent << "UndefinedIsNaN: " << (this->UndefinedIsNaN ? "on" : "off") << '\n';
   os << indent << "OrientOutward: " << (this->OrientOutward ? "on" : "off") << '\n';
 }

@@ -23,7 +23,11 @@
  *   border and where more than two triangles share an edge; the arrays are 0 there (Normals
  * aren't).
  * - Bending_Force_Valid (1 or 0): Δ_s H and the force are defined as well, which takes a ring of
- * valid neighbours. 0 elsewhere, and both arrays are 0 there. No value is ever NaN.
+ * valid neighbours. 0 elsewhere, and both arrays are 0 there. No value is ever NaN, unless
+ * UndefinedIsNaN asks for it where values are undefined.
+ *
+ * Arrays know their units (vtkDataArray::UNITS_LABEL, in words: "1/length") and the names of their
+ * components.
  *
  * Sign: H is +1/R on a sphere of radius R with outward normals. Normals follow the orientation of
  * the triangles (counter-clockwise seen from where n points to), but for one case: a closed,
@@ -180,6 +184,16 @@ public:
 
   ///@{
   /**
+   * Whether arrays hold NaN instead of 0 where Curvature_Valid, or for Δ_s H and the force
+   * Bending_Force_Valid, is 0. Default: off.
+   */
+  vtkSetMacro(UndefinedIsNaN, bool);
+  vtkGetMacro(UndefinedIsNaN, bool);
+  vtkBooleanMacro(UndefinedIsNaN, bool);
+  ///@}
+
+  ///@{
+  /**
    * Whether closed bodies that face inward count as facing outward. Default: on.
    */
   vtkSetMacro(OrientOutward, bool);
@@ -201,6 +215,7 @@ protected:
   bool BendingForce = true;
   bool PrincipalCurvatures = false;
   bool ShapeDescriptors = false;
+  bool UndefinedIsNaN = false;
   bool OrientOutward = true;
 
 private:

@@ -1,5 +1,6 @@
 #include "vtkVesicleProbeFilter.h"
 
+#include "ArrayLabels.h"
 #include "MeshConversion.h"
 #include "SceneNumbers.h"
 
@@ -228,6 +229,7 @@ int vtkVesicleProbeFilter::RequestData(
   velocity->SetName("Velocity");
   velocity->SetNumberOfComponents(3);
   velocity->SetNumberOfTuples(count);
+  vesicle::label(velocity);
   vtkNew<vtkUnsignedCharArray> inside;
   inside->SetName("Inside");
   inside->SetNumberOfTuples(count);
