@@ -24,11 +24,17 @@ inline constexpr int interrupted = 130;
 using Action = std::function<int()>;
 
 /// Each sets `action` when the user chooses it.
+void add_new_command(CLI::App& app, Action& action);
+void add_check_command(CLI::App& app, Action& action);
 void add_run_command(CLI::App& app, Action& action);
+void add_sweep_command(CLI::App& app, Action& action);
 void add_shape_command(CLI::App& app, Action& action);
 void add_equilibrium_command(CLI::App& app, Action& action);
 void add_curvature_command(CLI::App& app, Action& action);
+void add_repair_command(CLI::App& app, Action& action);
 void add_info_command(CLI::App& app, Action& action);
+void add_compare_command(CLI::App& app, Action& action);
+void add_convert_command(CLI::App& app, Action& action);
 void add_render_command(CLI::App& app, Action& action);
 void add_validate_command(CLI::App& app, Action& action);
 

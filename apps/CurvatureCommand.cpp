@@ -1,6 +1,8 @@
 // vesicle curvature: the curvature filter on a mesh file.
 
 #include "apps/Commands.h"
+#include "apps/CurvatureSummary.h"
+#include "apps/StandardOutput.h"
 #include "apps/Warning.h"
 
 #include "solver/Errors.h"
@@ -35,6 +37,10 @@ struct CurvatureOptions
   bool all = false;
   bool no_force = false;
   double merge = 0;
+  std::string undefined = "zero";
+  bool summary = false;
+  std::string summary_file;
+  int bins = 20;
 };
 
 vtkIdType undefined_vertices(vtkPolyData* surface)
@@ -54,9 +60,39 @@ void warn_of(const std::string& mesh, const std::string& text)
   warn(text.empty() ? "" : mesh + ": " + text);
 }
 
+void summarize(const CurvatureOptions& options, vtkPolyData* surface)
+{
+  const CurvatureSummary summary = curvature_summary(surface, options.bins);
+  if (options.summary)
+  {
+    print("{}", to_text(summary));
+  }
+  if (!options.summary_file.empty())
+  {
+    write_summary(summary, options.summary_file);
+  }
+}
+
+/// Before anything is computed.
+void require_something_to_do(const CurvatureOptions& options)
+{
+  if (!options.output.empty())
+  {
+    require_mesh_ending(options.output);
+  }
+  if (!options.summary_file.empty())
+  {
+    require_summary_ending(options.summary_file);
+  }
+  if (options.output.empty() && options.summary_file.empty() && !options.summary)
+  {
+    throw InputError("curvature: nothing to do: give a file by -o, --summary or --summary-file");
+  }
+}
+
 int write_curvature(const CurvatureOptions& options)
 {
-  require_mesh_ending(options.output);
+  require_something_to_do(options);
   auto surface = read_mesh(options.mesh);
   if (options.merge > 0)
   {
@@ -71,7 +107,8 @@ int write_curvature(const CurvatureOptions& options)
   filter->SetFitRings(options.rings);
   filter->SetPrincipalCurvatures(options.all);
   filter->SetShapeDescriptors(options.all);
-  filter->SetBendingForce(!options.no_force);
+  filter->SetBendingForce(!options.no_force && !options.output.empty());
+  filter->SetUndefinedIsNaN(options.undefined == "nan");
   {
     const VtkMessages messages;
     filter->Update();
@@ -84,7 +121,11 @@ int write_curvature(const CurvatureOptions& options)
       warn_of(options.mesh, warning);
     }
   }
-  warn(write_mesh(filter->GetOutput(), options.output));
+  if (!options.output.empty())
+  {
+    warn(write_mesh(filter->GetOutput(), options.output));
+  }
+  summarize(options, filter->GetOutput());
   const vtkIdType undefined = undefined_vertices(filter->GetOutput());
   if (undefined > 0)
   {
@@ -105,10 +146,8 @@ void add_curvature_command(CLI::App& app, Action& action)
     app.add_subcommand("curvature", "Curvatures and bending force of any triangle mesh");
   command->add_option("mesh", options->mesh, "Mesh (.vtu .vtp .vtk .stl .ply .obj .off)")
     ->required();
-  command
-    ->add_option(
-      "-o,--output", options->output, "File to write; .vtu, .vtp, .vtk and .ply hold arrays")
-    ->required();
+  command->add_option(
+    "-o,--output", options->output, "File to write; .vtu, .vtp, .vtk and .ply hold arrays");
   command->add_option("--scheme", options->scheme, "How curvatures are found")
     ->check(CLI::IsMember({ "fit", "cotan", "loop" }))
     ->capture_default_str();
@@ -127,7 +166,20 @@ void add_curvature_command(CLI::App& app, Action& action)
     ->capture_default_str();
   command->add_option("--merge", options->merge, "Points nearer than this distance become one")
     ->check(CLI::PositiveNumber);
+  command
+    ->add_option("--undefined", options->undefined,
+      "What arrays hold where nothing is defined, at open borders say; Curvature_Valid tells where")
+    ->check(CLI::IsMember({ "zero", "nan" }))
+    ->capture_default_str();
+  command->add_flag("--summary", options->summary,
+    "Print mean, deviation, percentiles and a histogram of H and K (with --all of all), by area");
+  command->add_option(
+    "--summary-file", options->summary_file, "The same numbers as a file, .json or .csv");
+  command->add_option("--bins", options->bins, "Of the histograms")
+    ->check(CLI::Range(2, 1000))
+    ->capture_default_str();
   command->footer("Example: vesicle curvature cell.ply -o cell.vtu\n"
+                  "         vesicle curvature cell.ply --summary\n"
                   "         vesicle curvature segmented.vtp --radius 12 --all -o segmented.vtu");
   command->callback(
     [options, &action] { action = [options] { return write_curvature(*options); }; });

@@ -3,8 +3,10 @@
 #include "apps/Commands.h"
 #include "apps/JsonText.h"
 #include "apps/MeshReport.h"
+#include "apps/RunReport.h"
 #include "apps/StandardOutput.h"
 
+#include "solver/files/FileBytes.h"
 #include "vtkfilters/Filters/MeshConversion.h"
 #include "vtkfilters/Filters/MeshFiles.h"
 #include "vtkfilters/Filters/SceneNumbers.h"
@@ -83,27 +85,41 @@ void print_series(const InfoOptions& options)
   }
 }
 
+void print_run(const InfoOptions& options)
+{
+  const RunReport report = report_of_run(options.file);
+  options.json ? print("{}\n", json_text(to_json(report), 2)) : print("{}", to_text(report));
+}
+
 }
 
 void add_info_command(CLI::App& app, Action& action)
 {
   auto options = std::make_shared<InfoOptions>();
-  auto* command =
-    app.add_subcommand("info", "Area, volume, reduced volume, energy and quality of a mesh");
+  auto* command = app.add_subcommand(
+    "info", "Area, volume, reduced volume, energy and quality of a mesh; how far a run has come");
   command
     ->add_option("mesh", options->file,
-      "Mesh (.vtu .vtp .vtk .stl .ply .obj .off) or series (.pvd .vtu.series)")
+      "Mesh (.vtu .vtp .vtk .stl .ply .obj .off), series (.pvd .vtu.series) or folder of a run")
     ->required();
   command->add_option("--merge", options->merge, "Points nearer than this distance count as one")
     ->check(CLI::PositiveNumber);
   command->add_flag("--json", options->json, "Print JSON");
-  command->footer("Example: vesicle info cell.stl --json");
+  command->footer("Example: vesicle info cell.stl --json\n"
+                  "         vesicle info pear");
   command->callback(
     [options, &action]
     {
       action = [options]
       {
-        is_series(options->file) ? print_series(*options) : print_mesh(*options);
+        if (is_folder(options->file))
+        {
+          print_run(*options);
+        }
+        else
+        {
+          is_series(options->file) ? print_series(*options) : print_mesh(*options);
+        }
         return exit_code::done;
       };
     });

@@ -1,5 +1,7 @@
 #include "apps/MeshReport.h"
 
+#include "apps/JsonText.h"
+
 #include "solver/mesh/BodyOrientation.h"
 #include "solver/mesh/Connectivity.h"
 #include "solver/mesh/MeshInspection.h"
@@ -30,12 +32,6 @@ long used_vertices(const TriangleMesh& mesh)
     used += connectivity.vertex_triangles.size(i) > 0;
   }
   return used;
-}
-
-/// null where there is no finite number: JSON has none other.
-nlohmann::ordered_json number(std::optional<double> value)
-{
-  return value && std::isfinite(*value) ? nlohmann::ordered_json(*value) : nullptr;
 }
 
 std::string facing_text(const BodyOrientation& orientation)
@@ -93,11 +89,11 @@ nlohmann::ordered_json to_json(const MeshReport& r)
     { "closed", r.topology.closed }, { "oriented", r.topology.oriented },
     { "manifold", r.topology.manifold }, { "components", r.topology.components },
     { "genus", r.topology.genus ? nlohmann::ordered_json(*r.topology.genus) : nullptr },
-    { "area", number(r.area) }, { "volume", number(r.volume) },
-    { "reduced_volume", number(r.reduced_volume) },
-    { "energy_over_8pi", number(r.energy_over_8pi) },
-    { "min_angle_deg", number(r.quality.min_angle_deg) },
-    { "edge_ratio", number(r.quality.edge_ratio) }, { "basis", name_of(basis_names, r.basis) },
+    { "area", json_number(r.area) }, { "volume", json_number(r.volume) },
+    { "reduced_volume", json_number(r.reduced_volume) },
+    { "energy_over_8pi", json_number(r.energy_over_8pi) },
+    { "min_angle_deg", json_number(r.quality.min_angle_deg) },
+    { "edge_ratio", json_number(r.quality.edge_ratio) }, { "basis", name_of(basis_names, r.basis) },
     { "self_crossing",
       r.self_crossing
         ? nlohmann::ordered_json::array({ r.self_crossing->first, r.self_crossing->second })

@@ -29,12 +29,6 @@ struct RunCommandOptions
   RunOptions run;
 };
 
-std::filesystem::path folder_of(const RunCommandOptions& options, const Scene& scene)
-{
-  return options.folder.empty() ? scene.output.directory.value_or(scene.name)
-                                : std::filesystem::path(options.folder);
-}
-
 int run_scene(const RunCommandOptions& options)
 {
   using oneapi::tbb::global_control;
@@ -50,15 +44,15 @@ int run_scene(const RunCommandOptions& options)
     overrides.push_back("vesicle.merge=" + options.merge);
   }
   const Scene scene = read_scene(options.scene, overrides);
+  const auto folder = run_folder_of(scene, options.folder);
   if (scene.time.equilibrium)
   {
-    return run_to_equilibrium(
-      scene, folder_of(options, scene), options.run.overwrite, options.run.quiet);
+    return run_to_equilibrium(scene, folder, options.run.overwrite, options.run.quiet);
   }
   RunOptions run = options.run;
   run.movie = !options.no_movie;
   run.plots = !options.no_plots;
-  return Run(scene, folder_of(options, scene), run).carry_out();
+  return Run(scene, folder, run).carry_out();
 }
 
 }

@@ -139,4 +139,9 @@ void RunFolder::clear_but_checkpoint() const
   }
 }
 
+path run_folder_of(const Scene& scene, const std::string& chosen)
+{
+  return chosen.empty() ? scene.output.directory.value_or(scene.name) : path(chosen);
+}
+
 }

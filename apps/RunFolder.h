@@ -1,6 +1,8 @@
 #pragma once
 // The folder that a run writes to, and what it leaves behind there.
 
+#include "solver/scene/Scene.h"
+
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -41,5 +43,8 @@ private:
   std::filesystem::path folder_;
   std::string name_;
 };
+
+/// Where a run of the scene writes to: `chosen` unless that is empty, else the scene's or ./<name>.
+std::filesystem::path run_folder_of(const Scene& scene, const std::string& chosen);
 
 }

@@ -1,6 +1,7 @@
 // The command `vesicle`.
 
 #include "apps/Commands.h"
+#include "apps/HelpPages.h"
 #include "apps/StandardOutput.h"
 
 #include "solver/Doing.h"
@@ -111,13 +112,29 @@ int run_command_line(int argc, char** argv)
   app.set_version_flag("--version", "vesicle " VESICLE_VERSION);
   app.require_subcommand(1);
   Action action;
+  add_new_command(app, action);
+  add_check_command(app, action);
   add_run_command(app, action);
+  add_sweep_command(app, action);
   add_shape_command(app, action);
   add_equilibrium_command(app, action);
   add_curvature_command(app, action);
+  add_repair_command(app, action);
   add_info_command(app, action);
+  add_compare_command(app, action);
+  add_convert_command(app, action);
   add_render_command(app, action);
   add_validate_command(app, action);
+  if (argc == 3 && argv[1] == std::string("--help-pages")) // for the build
+  {
+    return carry_out(
+      [&]
+      {
+        write_help_pages(app, argv[2]);
+        return exit_code::done;
+      },
+      command_line(argc, argv));
+  }
   try
   {
     require_command(app, argc, argv);

@@ -1,7 +1,7 @@
 // Fig. 3 of the paper, and what the curvature's error does to the velocity.
 
+#include "apps/DataFiles.h"
 #include "apps/validate/Cases.h"
-#include "apps/validate/Data.h"
 
 #include "solver/surface/Cotan.h"
 #include "solver/surface/FittedCurvature.h"

@@ -1,8 +1,8 @@
 // Fig. 6 and 7 of the paper: axisymmetric equilibria, against integration of the Euler–Lagrange
 // equations.
 
+#include "apps/DataFiles.h"
 #include "apps/validate/Cases.h"
-#include "apps/validate/Data.h"
 #include "apps/validate/Runs.h"
 #include "apps/validate/Stomatocyte.h"
 #include "solver/equilibrium/BranchEquilibrium.h"

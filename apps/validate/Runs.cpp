@@ -1,7 +1,7 @@
 #include "apps/validate/Runs.h"
 
+#include "apps/DataFiles.h"
 #include "apps/Progress.h"
-#include "apps/validate/Data.h"
 
 #include "solver/simulation/StartMesh.h"
 #include "solver/scene/SceneFile.h"

@@ -12,7 +12,9 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <fstream>
+#include <numbers>
 #include <random>
 #include <string>
 #include <utility>
@@ -39,7 +41,9 @@ TEST(Help, IsThereForAllWithAnExample)
   const TemporaryFolder folder;
   const std::vector<std::vector<std::string>> commands{ { "--help" }, { "run", "--help" },
     { "shape", "--help" }, { "equilibrium", "--help" }, { "curvature", "--help" },
-    { "info", "--help" }, { "render", "--help" }, { "validate", "--help" } };
+    { "info", "--help" }, { "render", "--help" }, { "validate", "--help" }, { "new", "--help" },
+    { "check", "--help" }, { "repair", "--help" }, { "compare", "--help" }, { "convert", "--help" },
+    { "sweep", "--help" } };
   for (const auto& arguments : commands)
   {
     const auto outcome = vesicle_command(folder.path(), arguments);
@@ -199,6 +203,90 @@ TEST(Curvature, NamesARadiusForNoisyMeshes)
     outcome = vesicle_command(folder.path(), arguments);
     EXPECT_EQ(outcome.code, 2);
     EXPECT_NE(outcome.errors.find(text), std::string::npos) << outcome.errors;
+  }
+}
+
+// H on a torus is between (R − 2r)/(2r(R − r)) and (R + 2r)/(2r(R + r)), on average over the area
+// 1/(2r), and K 0. Of H = (R + 2r c)/(2r(R + r c)), c = cos θ, half of the area has c below the one
+// for which the area between θ and π, ∝ π − θ − (r/R) sin θ, is π/2.
+TEST(Curvature, SummaryOfATorus)
+{
+  const TemporaryFolder folder;
+  constexpr double R = 3, r = 1;
+  const int around = 192, across = 96;
+  TriangleMesh mesh;
+  mesh.points.resize(around * across, 3);
+  mesh.triangles.resize(2 * around * across, 3);
+  for (int i = 0; i < around; ++i)
+  {
+    for (int j = 0; j < across; ++j)
+    {
+      const double u = 2 * std::numbers::pi * i / around, v = 2 * std::numbers::pi * j / across;
+      const int a = i * across + j, b = (i + 1) % around * across + j,
+                c = i * across + (j + 1) % across, d = (i + 1) % around * across + (j + 1) % across;
+      const double distance = R + r * std::cos(v);
+      mesh.points.row(a) << distance * std::cos(u), distance * std::sin(u), r * std::sin(v);
+      mesh.triangles.row(2 * a) << a, b, d;
+      mesh.triangles.row(2 * a + 1) << a, d, c;
+    }
+  }
+  write_mesh(to_polydata(mesh), folder / "torus.vtp");
+  const auto outcome = vesicle_command(folder.path(),
+    { "curvature", "torus.vtp", "--summary", "--all", "--summary-file", "torus.json" });
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  for (const char* name : { "Mean_Curvature", "Gauss_Curvature", "Curvedness", "median", "###" })
+  {
+    EXPECT_NE(outcome.output.find(name), std::string::npos) << name;
+  }
+  const Json summary = Json::parse(bytes_of(folder / "torus.json"));
+  const Json& H = summary["Mean_Curvature"];
+  const double flat_error = 2e-3; // (π/96)², the relative error of flat triangles' areas
+  const double area = 4 * std::numbers::pi * std::numbers::pi * R * r;
+  EXPECT_NEAR(H["area"].get<double>() / area, 1, flat_error);
+  EXPECT_NEAR(H["mean"].get<double>(), 1 / (2 * r), flat_error);
+  EXPECT_NEAR(summary["Gauss_Curvature"]["mean"].get<double>(), 0, flat_error);
+  EXPECT_NEAR(H["least"].get<double>(), (R - 2 * r) / (2 * r * (R - r)), flat_error);
+  EXPECT_NEAR(H["greatest"].get<double>(), (R + 2 * r) / (2 * r * (R + r)), flat_error);
+  double angle = 1;
+  for (int i = 0; i < 50; ++i)
+  {
+    angle = std::numbers::pi / 2 - r / R * std::sin(angle);
+  }
+  const double c = std::cos(angle), median = (R + 2 * r * c) / (2 * r * (R + r * c));
+  // One row of vertices more or less: 1/96 of the circle.
+  const double row = 2 * std::numbers::pi / across * R / (2 * (R + r * c) * (R + r * c));
+  EXPECT_NEAR(H["percentiles"]["50"].get<double>(), median, row);
+  double shares = 0;
+  for (const Json& bin : H["histogram"])
+  {
+    shares += bin["share"].get<double>();
+  }
+  EXPECT_EQ(H["histogram"].size(), 20);
+  EXPECT_NEAR(shares, 1, 1e-9);
+  ASSERT_EQ(
+    vesicle_command(folder.path(), { "curvature", "torus.vtp", "--summary-file", "torus.csv" })
+      .code,
+    0);
+  EXPECT_EQ(bytes_of(folder / "torus.csv").substr(0, 25), "array,what,from,to,value\n");
+  expect_usage_errors(folder.path(),
+    { { "curvature", "torus.vtp" }, { "curvature", "torus.vtp", "--summary-file", "torus.txt" },
+      { "curvature", "torus.vtp", "--summary", "--bins", "1" } });
+}
+
+TEST(Curvature, UndefinedIsZeroOrNaN)
+{
+  const TemporaryFolder folder;
+  std::ofstream(folder / "square.off") << "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
+  for (const std::string undefined : { "zero", "nan" })
+  {
+    const auto outcome = vesicle_command(
+      folder.path(), { "curvature", "square.off", "--undefined", undefined, "-o", "square.vtu" });
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    const auto surface = read_mesh(folder / "square.vtu");
+    vtkPointData* arrays = surface->GetPointData();
+    EXPECT_EQ(
+      std::isnan(arrays->GetArray("Mean_Curvature")->GetComponent(0, 0)), undefined == "nan");
+    EXPECT_EQ(arrays->GetArray("Curvature_Valid")->GetComponent(0, 0), 0);
   }
 }
 

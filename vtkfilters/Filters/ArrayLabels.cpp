@@ -46,6 +46,7 @@ const std::map<std::string_view, const char*>& units()
     { "Area_Drift", "1" },
     { "Volume_Drift", "1" },
     { "Viscosity", "force time/length^2" },
+    { "Viscosity_Ratio", "1" },
     { "Flow_Rate", "1/time" },
     { "Flow_Velocity", "length/time" },
     { "Flow_Radius", "length" },
