@@ -37,5 +37,6 @@ void add_compare_command(CLI::App& app, Action& action);
 void add_convert_command(CLI::App& app, Action& action);
 void add_render_command(CLI::App& app, Action& action);
 void add_validate_command(CLI::App& app, Action& action);
+void add_tradeoff_command(CLI::App& app, Action& action);
 
 }

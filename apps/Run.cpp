@@ -6,6 +6,7 @@
 #include "apps/RunMovie.h"
 #include "apps/RunPlots.h"
 #include "apps/RunResume.h"
+#include "apps/StopBundle.h"
 #include "apps/Warning.h"
 
 #include "render/RenderBackend.h"
@@ -24,6 +25,8 @@
 
 #include <fmt/format.h>
 
+#include <sys/resource.h>
+
 namespace vesicle
 {
 namespace
@@ -32,6 +35,16 @@ namespace
 /// How many rows and frames may wait for the disk: what a kill may cost beside the step under way.
 /// A disk that takes long now and then doesn't hold the run up so.
 constexpr std::size_t most_waiting = 8;
+
+/// Of this process so far, all threads together.
+double cpu_seconds()
+{
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  const auto seconds = [](const timeval& t)
+  { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
+  return seconds(used.ru_utime) + seconds(used.ru_stime);
+}
 
 }
 
@@ -121,6 +134,14 @@ void Run::take_folder()
   {
     progress_->say(stepper_->GetSimulation()->notes());
   }
+}
+
+/// What couldn't be accepted, before going back makes it forgotten.
+void Run::keep_refused()
+{
+  const Simulation* simulation = stepper_->GetSimulation();
+  if (simulation && simulation->refused())
+    failing_ = simulation->mesh(*simulation->refused());
 }
 
 /// Where no state could be reached the start shape is left, to be looked at.
@@ -226,6 +247,7 @@ void Run::update_to(double time)
       throw IoError(stepper_->GetErrorMessage());
     case vtkVesicleStepper::NumericalFailure:
       message_ = stepper_->GetErrorMessage();
+      keep_refused();
       if (!stepper_->GetState())
       {
         throw NumericalError(fmt::format("t = 0: the start can't be solved: {}", message_));
@@ -338,6 +360,19 @@ void Run::write_summary()
     [&] { vesicle::write_summary(summary_, folder_.summary()); });
 }
 
+/// Of a state that a run stopped at there may be none.
+void Run::estimate_errors()
+{
+  try
+  {
+    summary_.errors = stepper_->GetSimulation()->error_estimate(*stepper_->GetState());
+    progress_->say(to_text(*summary_.errors));
+  }
+  catch (const NumericalError&)
+  {
+  }
+}
+
 void Run::summarize()
 {
   summary_.scene = scene_;
@@ -346,6 +381,7 @@ void Run::summarize()
   if (rows_ > 0)
   {
     summary_.last = stepper_->GetDiagnostics();
+    estimate_errors();
     summary_.steps = stepper_->GetState()->step - first_step_;
   }
   summary_.frames = series_.frames().size();
@@ -354,6 +390,7 @@ void Run::summarize()
   summary_.resumed = resumed_;
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - began_;
   summary_.wall_seconds = wall.count();
+  summary_.cpu_seconds = cpu_seconds();
   write_summary();
   progress_->say(fmt::format("{} at t = {:.6g} after {} steps in {}: {} frames in {}",
     summary_.outcome, series_.frames().back().time, summary_.steps, duration_text(wall.count()),
@@ -368,6 +405,20 @@ std::string Run::failure_and_what_is_left() const
         folder_.checkpoint().string(), series_.pvd_file().string())
     : fmt::format(
         "{} No state was reached; the start shape is in {}", cause, series_.pvd_file().string());
+}
+
+/// For whoever wants to know why.
+std::string Run::leave_bundle(const RunTable& table) const
+{
+  const Simulation& simulation = *stepper_->GetSimulation();
+  StopBundle bundle;
+  bundle.message = message_;
+  bundle.good = rows_ > 0 ? simulation.mesh(*stepper_->GetState()) : simulation.start_mesh();
+  bundle.time = rows_ > 0 ? stepper_->GetState()->time : 0;
+  bundle.failing = failing_;
+  bundle.rows = table.rows;
+  return doing("writing " + folder_.stopped().string(),
+    [&] { return write_stop_bundle(scene_, bundle, folder_.stopped()); });
 }
 
 void Run::write_plots(const RunTable& table, Attempts& attempts)
@@ -432,7 +483,8 @@ void Run::finish()
   summarize();
   if (is_failed())
   {
-    throw NumericalError(failure_and_what_is_left());
+    const std::string advice = leave_bundle(table);
+    throw NumericalError(failure_and_what_is_left() + "\n" + advice);
   }
   if (summary_.outcome == "interrupted")
   {

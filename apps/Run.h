@@ -53,6 +53,7 @@ private:
   void take_folder();
   bool go_on();
   void advance();
+  void keep_refused();
   void return_to_last_good_state();
   void finish();
 
@@ -63,6 +64,7 @@ private:
   void append_last_frame();
   void tell_once_if_unresolved();
   void require_movie_color();
+  void estimate_errors();
   void summarize();
   void write_summary();
   void draw(const RunTable& table);
@@ -71,6 +73,7 @@ private:
   bool is_failed() const { return !message_.empty(); }
   std::string outcome() const;
   std::string failure_and_what_is_left() const;
+  std::string leave_bundle(const RunTable& table) const;
   RunFile create_checkpoint() const;
 
   Scene scene_;
@@ -85,9 +88,10 @@ private:
   std::optional<CsvFile> table_;
   std::optional<double> last_frame_time_; ///< that was handed over
   std::optional<Progress> progress_;
-  std::exception_ptr failure_; ///< of an observer: it must not pass through VTK
-  std::string message_;        ///< why the run failed
-  std::size_t rows_ = 0;       ///< of the checkpoint once it is closed; 0: no good state
+  std::exception_ptr failure_;          ///< of an observer: it must not pass through VTK
+  std::string message_;                 ///< why the run failed
+  std::optional<TriangleMesh> failing_; ///< what it failed with
+  std::size_t rows_ = 0;                ///< of the checkpoint once it is closed; 0: no good state
   std::int64_t first_step_ = 0;
   bool resumed_ = false;
   bool told_unresolved_ = false;

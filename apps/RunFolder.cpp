@@ -1,5 +1,7 @@
 #include "apps/RunFolder.h"
 
+#include "apps/StopBundle.h"
+
 #include "solver/Errors.h"
 #include "solver/files/FileBytes.h"
 
@@ -79,8 +81,11 @@ path RunFolder::file(const std::string& ending) const
 
 Files RunFolder::named_files() const
 {
-  return { checkpoint(), table(), film(), file(".pvd"), file(".vtu.series"), file(".xdmf"),
+  Files files{ checkpoint(), table(), film(), file(".pvd"), file(".vtu.series"), file(".xdmf"),
     summary() };
+  for (const char* name : StopBundle::files)
+    files.push_back(stopped() / name);
+  return files;
 }
 
 Files RunFolder::numbered_files(std::string_view before_ending) const
@@ -133,7 +138,7 @@ void RunFolder::clear_but_checkpoint() const
   Files rest = files();
   rest.erase(std::remove(rest.begin(), rest.end(), checkpoint()), rest.end());
   remove(rest);
-  for (const auto& folder : { folder_ / "frames", pictures(), plots() })
+  for (const auto& folder : { folder_ / "frames", pictures(), plots(), stopped() })
   {
     ::rmdir(folder.c_str()); // if it is one, and empty
   }

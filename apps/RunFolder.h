@@ -22,6 +22,8 @@ public:
   std::filesystem::path film() const { return file(".mp4"); }
   std::filesystem::path pictures() const { return folder_ / "movie"; }
   std::filesystem::path plots() const { return folder_ / "plots"; }
+  /// What is left where the simulation could not go on (StopBundle.h).
+  std::filesystem::path stopped() const { return folder_ / "stopped"; }
   std::filesystem::path summary() const { return folder_ / "summary.json"; }
 
   /// Locked while somebody writes to the folder.

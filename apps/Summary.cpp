@@ -33,6 +33,11 @@ Json versions()
     { "blas_kernel", blas_kernel() } };
 }
 
+Json number_or_null(const std::optional<double>& value)
+{
+  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+}
+
 /// By the names of the table's columns; null where undefined.
 Json observables(const Diagnostics& diagnostics)
 {
@@ -41,25 +46,31 @@ Json observables(const Diagnostics& diagnostics)
   const auto values = diagnostics.values();
   for (std::size_t i = 0; i < names.size(); ++i)
   {
-    result[std::string(names[i])] =
-      values[i] && std::isfinite(*values[i]) ? Json(*values[i]) : Json(nullptr);
+    result[std::string(names[i])] = number_or_null(values[i]);
   }
   return result;
 }
 
 Json numbers(const DimensionlessNumbers& n)
 {
-  const auto number = [](const std::optional<double>& value) -> Json
-  { return value ? Json(*value) : Json(nullptr); };
-  return { { "r0", n.radius }, { "time_unit", n.time_unit }, { "bond", number(n.bond) },
-    { "capillary", number(n.capillary) } };
+  return { { "r0", n.radius }, { "time_unit", n.time_unit }, { "bond", number_or_null(n.bond) },
+    { "capillary", number_or_null(n.capillary) } };
+}
+
+Json error_estimates(const ErrorEstimate& e)
+{
+  return { { "space", number_or_null(e.space()) }, { "time", number_or_null(e.time) },
+    { "energy_by_6_and_12_points", number_or_null(e.energy) },
+    { "energy_by_3_and_12_points", number_or_null(e.energy_coarse) },
+    { "layer_by_two_rules", number_or_null(e.layer) } };
 }
 
 Json timings(const RunSummary& s)
 {
   const auto threads =
     oneapi::tbb::global_control::active_value(oneapi::tbb::global_control::max_allowed_parallelism);
-  return { { "wall_seconds", s.wall_seconds }, { "steps", s.steps },
+  return { { "wall_seconds", s.wall_seconds }, { "cpu_seconds", s.cpu_seconds },
+    { "steps", s.steps },
     { "seconds_per_step", s.steps > 0 ? s.wall_seconds / static_cast<double>(s.steps) : 0 },
     { "threads", threads }, { "resumed", s.resumed } };
 }
@@ -82,6 +93,8 @@ void write_summary(const RunSummary& s, const std::filesystem::path& file)
     summary["drifts"] = { { "area", s.last->area_drift }, { "volume", s.last->volume_drift } };
     summary["corrections"] = { { "area", s.last->area_correction },
       { "volume", s.last->volume_correction } };
+    if (s.errors)
+      summary["error_estimates"] = error_estimates(*s.errors);
     summary["numbers"] = numbers(s.numbers);
     summary["final"] = observables(*s.last);
   }

@@ -4,6 +4,7 @@
 #include "solver/dynamics/Diagnostics.h"
 #include "solver/scene/Scene.h"
 #include "solver/simulation/DimensionlessNumbers.h"
+#include "solver/simulation/ErrorEstimate.h"
 
 #include <filesystem>
 #include <optional>
@@ -18,10 +19,12 @@ struct RunSummary
   std::string outcome;             ///< finished, steady, interrupted or failed
   std::string message;             ///< why it failed
   std::optional<Diagnostics> last; ///< of the last state; none was reached where empty
+  std::optional<ErrorEstimate> errors;
   DimensionlessNumbers numbers;
   std::size_t frames = 0;
   int triangles = 0;
   double wall_seconds = 0; ///< of this sitting
+  double cpu_seconds = 0;  ///< of this sitting, of all threads
   std::int64_t steps = 0;  ///< of this sitting
   bool resumed = false;
   std::string movie_note;

@@ -125,6 +125,7 @@ int run_command_line(int argc, char** argv)
   add_convert_command(app, action);
   add_render_command(app, action);
   add_validate_command(app, action);
+  add_tradeoff_command(app, action);
   if (argc == 3 && argv[1] == std::string("--help-pages")) // for the build
   {
     return carry_out(

@@ -4,6 +4,7 @@
 #include "render/Picture.h"
 #include "render/PngFile.h"
 #include "render/RenderBackend.h"
+#include "render/SvgFile.h"
 #include "solver/Errors.h"
 
 #include "vtkAxis.h"
@@ -41,6 +42,7 @@ constexpr int label_font = 24;
 constexpr int tick_font = 20;
 constexpr double border_width = 14;
 constexpr double dark = 0.15;
+constexpr double cross_size = 24;
 
 bool drawable(const ChartSpec& chart, double x, double y)
 {
@@ -77,7 +79,8 @@ vtkSmartPointer<vtkTable> table_of(const ChartSpec& chart, const ChartLine& line
 void add_line(vtkChartXY* chart, vtkTable* table, const ChartLine& line,
   const std::array<int, 3>& color, double scale)
 {
-  const bool points = line.style == ChartLine::Style::points;
+  const bool cross = line.style == ChartLine::Style::cross,
+             points = cross || line.style == ChartLine::Style::points;
   vtkPlot* plot = chart->AddPlot(points ? vtkChart::POINTS : vtkChart::LINE);
   plot->SetInputData(table, 0, 1);
   plot->SetLabel(line.label);
@@ -85,7 +88,11 @@ void add_line(vtkChartXY* chart, vtkTable* table, const ChartLine& line,
   plot->SetWidth(static_cast<float>((points ? 6 : 3) * scale));
   if (auto* markers = vtkPlotPoints::SafeDownCast(plot))
   {
-    markers->SetMarkerStyle(points ? vtkPlotPoints::CIRCLE : vtkPlotPoints::NONE);
+    markers->SetMarkerStyle(cross ? vtkPlotPoints::CROSS
+        : points                  ? vtkPlotPoints::CIRCLE
+                                  : vtkPlotPoints::NONE);
+    if (cross)
+      markers->SetMarkerSize(static_cast<float>(cross_size * scale));
   }
   if (line.style == ChartLine::Style::dashed)
   {
@@ -219,7 +226,10 @@ void write_charts(const std::filesystem::path& file, const std::vector<ChartSpec
     window->AddRenderer(renderer);
   }
   window->Render();
-  write_png(file, grab_image(window));
+  if (file.extension() == ".svg")
+    write_svg(file, window);
+  else
+    write_png(file, grab_image(window));
 }
 
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Line charts (time series, convergence) as PNG files.
+// Line charts (time series, convergence) as PNG or SVG files.
 
 #include <array>
 #include <filesystem>
@@ -16,7 +16,8 @@ struct ChartLine
   {
     line,
     dashed,
-    points
+    points,
+    cross ///< points that are marked among others
   };
   std::string label; ///< in the legend; empty: not there
   std::vector<double> x;
@@ -35,7 +36,7 @@ struct ChartSpec
   bool log_y = false;
 };
 
-/// Draws one chart off-screen. Throws InputError when x and y differ in length or nothing is left
+/// Draws one chart off-screen, as SVG where the file's name ends so, otherwise as PNG. Throws InputError when x and y differ in length or nothing is left
 /// to draw, IoError naming the file when it can't be written.
 void write_chart(const std::filesystem::path& file, const ChartSpec& chart,
   std::array<int, 2> size = { 1280, 720 });

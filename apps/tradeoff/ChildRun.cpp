@@ -29,6 +29,7 @@ constexpr int not_started = 126;
 [[noreturn]] void become(char* const* words, int output)
 {
   prctl(PR_SET_PDEATHSIG, SIGTERM);
+  setpgid(0, 0); // a terminal's Ctrl-C goes to the parent alone, which passes on one
   const int nothing = open("/dev/null", O_RDONLY);
   if (nothing >= 0 && dup2(nothing, STDIN_FILENO) >= 0 && dup2(output, STDOUT_FILENO) >= 0 &&
     dup2(output, STDERR_FILENO) >= 0)

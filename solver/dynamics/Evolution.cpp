@@ -1,6 +1,7 @@
 #include "solver/dynamics/Evolution.h"
 
 #include "solver/Errors.h"
+#include "solver/dynamics/StepFailure.h"
 
 #include <fmt/format.h>
 
@@ -137,6 +138,7 @@ State Evolution::step(const State& before)
     stepper_.solve(from);
   }
   std::string reason;
+  std::shared_ptr<const State> refused;
   for (int attempt = 0; attempt < max_attempts; ++attempt)
   {
     try
@@ -146,15 +148,19 @@ State Evolution::step(const State& before)
       reason = reason_to_reject(report, stepper_.settings().limits);
       if (reason.empty())
         return accept(before, from, std::move(after), report);
+      refused = std::make_shared<const State>(std::move(after));
     }
     catch (const NumericalError& error)
     {
       reason = error.what(); // of a solve, this step's or the next one's start
     }
     if (fixed_step_)
-      throw NumericalError(fmt::format("t = {}: a step of {} can't be made: {}. Take a smaller "
-                                       "time.step, or time.step = \"auto\".",
-        before.time, from.controller.next_step * time_unit_, reason));
+      throw StepFailure(
+        fmt::format(
+          "t = {}: a step of {} can't be made: {}. Take a smaller time.step, or time.step = "
+          "\"auto\".",
+          before.time, from.controller.next_step * time_unit_, reason),
+        refused);
     ++from.controller.rejected;
     from.controller.free_step = from.controller.next_step / 2;
     if (from.controller.free_step < shortest_step / rate())
@@ -162,9 +168,11 @@ State Evolution::step(const State& before)
     plan_next_step(from);
     stepper_.solve(from);
   }
-  throw NumericalError(fmt::format("t = {}: no step can be made, down to {:.1e}: {}. Try more "
-                                   "triangles, or a milder flow, load or deflation.",
-    before.time, from.controller.next_step * time_unit_, reason));
+  throw StepFailure(
+    fmt::format("t = {}: no step can be made, down to {:.1e}: {}. Try more triangles, or "
+                "a milder flow, load or deflation.",
+      before.time, from.controller.next_step * time_unit_, reason),
+    refused);
 }
 
 // `from`: the start of the step, planned anew after rejections.

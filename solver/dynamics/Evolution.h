@@ -25,7 +25,7 @@ public:
   State instant(const std::vector<Points>& points);
   /// The same moment as `state`, whose vesicles had other meshes, at these points of the system's own.
   State transferred(const State& state, const std::vector<Points>& points);
-  /// One accepted step. Throws NumericalError if there is none; `state` is then still valid.
+  /// One accepted step. Throws StepFailure if there is none; `state` is then still valid.
   State step(const State& state);
   /// True where no shape changes any more: normal speeds, relative to the centroids.
   bool steady(const State& state);

@@ -4,6 +4,7 @@
 #include "solver/Joined.h"
 #include "solver/adaptation/AdaptedMesh.h"
 #include "solver/adaptation/SettledShape.h"
+#include "solver/dynamics/StepFailure.h"
 #include "solver/simulation/Cost.h"
 #include "solver/simulation/MeshAdaptation.h"
 #include "solver/simulation/SceneOnMesh.h"
@@ -19,6 +20,12 @@ namespace vesicle
 
 namespace
 {
+
+/// The next finer rule of the single layer; of the finest the one before.
+int other_quadrature(int points)
+{
+  return points == 1 ? 3 : points == 6 ? 12 : 6;
+}
 
 std::string start_name(const Scene& scene)
 {
@@ -52,6 +59,7 @@ struct Simulation::Impl
   std::optional<MeshAdaptation> adaptation;
   std::unique_ptr<SceneOnMesh> on_mesh; ///< of the mesh asked for last
   DimensionlessNumbers numbers;
+  std::shared_ptr<const State> refused;
 
   Impl(const Scene& s, TriangleMesh mesh, const std::string& start_notes)
     : scene(s), notes(prepare_for_dynamics(mesh, start_name(s))), start_mesh(std::move(mesh)),
@@ -137,6 +145,60 @@ struct Simulation::Impl
     State tried = state;
     tried.remeshing.tried = state.step;
     return tried;
+  }
+
+  /// Velocities of a shape by a rule, nothing of a time step in them.
+  Points velocities(const VesicleState& vesicle, int quadrature) const
+  {
+    Scene other = scene;
+    other.accuracy.quadrature = quadrature;
+    SceneOnMesh mesh(other, scales, vesicle.triangles, static_cast<int>(vesicle.points.rows()));
+    return mesh.evolution().instant({ vesicle.points }).vesicles[0].velocity;
+  }
+  double layer_error(const State& state)
+  {
+    const VesicleState& vesicle = state.vesicles[0];
+    const int points = scene.accuracy.quadrature;
+    const Points velocity = velocities(vesicle, points),
+                 other = velocities(vesicle, other_quadrature(points));
+    const auto mean = [](const Points& v) { return std::sqrt(v.rowwise().squaredNorm().mean()); };
+    const double speed = std::max(mean(other), evolution(state).system().rate());
+    return speed > 0 ? mean(velocity - other) / speed : 0;
+  }
+  // A membrane whose energy is another than 2 ∮ H² dS can't be told from Loop's surface so.
+  bool bends_plainly() const
+  {
+    return scene.membrane.bending_rigidity && scene.membrane.spontaneous_curvature == 0 &&
+      !scene.membrane.area_difference_stiffness;
+  }
+  void estimate_energy(const State& state, ErrorEstimate& estimate)
+  {
+    const VesicleState& vesicle = state.vesicles[0];
+    const auto points = static_cast<int>(vesicle.points.rows());
+    const auto six = LoopEnergyRules(vesicle.triangles, points, 6).energy(vesicle.points);
+    if (scene.accuracy.basis == Scene::Basis::loop)
+    {
+      estimate.energy = six.disagreement();
+      estimate.energy_coarse = at(state).resolution().disagreement(vesicle.points);
+    }
+    else if (bends_plainly())
+    {
+      const auto flat = shape(state);
+      const VesicleShape& own = flat->vesicles[0];
+      estimate.energy = std::abs(own.vesicle->energy(*own.surface) / six.fine - 1);
+    }
+  }
+  /// What projections took and what they left; of a membrane that may stretch the volume's alone.
+  double projected(const State& state)
+  {
+    const VesicleState& vesicle = state.vesicles[0];
+    const auto now = shape(state);
+    const VesicleShape& there = now->vesicles[0];
+    const double volume =
+      vesicle.volume_correction + std::abs(there.surface->volume / vesicle.target_volume - 1);
+    return !there.constraint
+      ? volume
+      : volume + vesicle.area_correction + std::abs(there.surface->area / vesicle.target_area - 1);
   }
 
   // Without bending a rough surface costs nothing, and flat triangles know no better.
@@ -255,19 +317,34 @@ State Simulation::step(const State& before)
     {
       return impl_->evolution(state).step(state);
     }
-    catch (const NumericalError& error)
+    catch (const StepFailure& error)
     {
+      impl_->refused = error.attempted;
       throw NumericalError(lines({ error.what(), unresolved_warning(state) }));
     }
   };
+  impl_->refused.reset();
   State after = stepped();
   // What an adaptive mesh can't hold it loses within a step.
   if (!schedule().due(after) && !impl_->adaptation)
     return after;
-  require_no_crossing({ after.vesicles[0].points, after.vesicles[0].triangles }, after.time);
-  if (const std::string complaint = impl_->unresolved(after, lost); !complaint.empty())
-    throw NumericalError(fmt::format("t = {}: {}.", after.time, complaint));
+  try
+  {
+    require_no_crossing({ after.vesicles[0].points, after.vesicles[0].triangles }, after.time);
+    if (const std::string complaint = impl_->unresolved(after, lost); !complaint.empty())
+      throw NumericalError(fmt::format("t = {}: {}.", after.time, complaint));
+  }
+  catch (const NumericalError&)
+  {
+    impl_->refused = std::make_shared<const State>(std::move(after));
+    throw;
+  }
   return after;
+}
+
+const State* Simulation::refused() const
+{
+  return impl_->refused.get();
 }
 
 std::string Simulation::unresolved_warning(const State& state)
@@ -286,6 +363,16 @@ bool Simulation::finished(const State& state)
 Diagnostics Simulation::diagnose(const State& state)
 {
   return impl_->at(state).report().diagnose(state, *impl_->shape(state), 0);
+}
+
+ErrorEstimate Simulation::error_estimate(const State& state)
+{
+  ErrorEstimate estimate;
+  if (impl_->scene.membrane.bending_rigidity)
+    impl_->estimate_energy(state, estimate);
+  estimate.layer = impl_->layer_error(state);
+  estimate.time = impl_->projected(state);
+  return estimate;
 }
 
 std::map<std::string, Eigen::MatrixXd> Simulation::fields(const State& state)

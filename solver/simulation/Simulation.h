@@ -6,6 +6,7 @@
 #include "solver/dynamics/Scales.h"
 #include "solver/scene/Scene.h"
 #include "solver/simulation/DimensionlessNumbers.h"
+#include "solver/simulation/ErrorEstimate.h"
 #include "solver/dynamics/State.h"
 
 #include <map>
@@ -51,6 +52,8 @@ public:
   /// time, or after any step where meshes are adaptive, the membrane passes through itself or its mesh
   /// knows the bending energy to 10% only; `state` is then still valid.
   State step(const State& state);
+  /// What the last step() that threw had come to, or null where it had come to nothing: not to go on from.
+  const State* refused() const;
   /// What is to be said of a state whose mesh knows the bending energy to 1% only: where, and how
   /// many triangles it needs; empty if it knows better. Places are in units of r0.
   std::string unresolved_warning(const State& state);
@@ -58,6 +61,8 @@ public:
   bool finished(const State& state);
 
   Diagnostics diagnose(const State& state);
+  /// Takes about as long as six steps. Throws NumericalError.
+  ErrorEstimate error_estimate(const State& state);
 
   /// Positions between a state that is ready() and the next by cubic Hermite interpolation, in the
   /// scene's units.

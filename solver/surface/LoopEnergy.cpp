@@ -14,9 +14,9 @@ double LoopEnergy::disagreement() const
   return std::abs(coarse / fine - 1);
 }
 
-LoopEnergyRules::LoopEnergyRules(const Triangles& triangles, int points)
+LoopEnergyRules::LoopEnergyRules(const Triangles& triangles, int points, int few)
   : basis_(triangles, points), collocation_(basis_),
-    coarse_(tabulate_rule(basis_, triangle_rule(3))),
+    coarse_(tabulate_rule(basis_, triangle_rule(few))),
     fine_(tabulate_rule(basis_, triangle_rule(12), 3))
 {
 }

@@ -11,7 +11,7 @@ namespace vesicle
 /// 2 ∮ H² dS of Loop's surface through a mesh's points (EB = 1): 8π on a sphere.
 struct LoopEnergy
 {
-  double coarse; ///< by 3 points an element
+  double coarse; ///< by the few points asked for, 3 an element as a rule
   double fine;   ///< by 12, elements at extraordinary vertices halved three times towards them
   Vector3 worst; ///< the middle of the triangle on which the two differ most
 
@@ -24,8 +24,9 @@ struct LoopEnergy
 class LoopEnergyRules
 {
 public:
-  /// Throws InputError for triangles that can't carry Loop's surface.
-  LoopEnergyRules(const Triangles& triangles, int points);
+  /// `few`: points an element of the coarse rule. Throws InputError for triangles that can't carry Loop's
+  /// surface.
+  LoopEnergyRules(const Triangles& triangles, int points, int few = 3);
   LoopEnergy energy(const Points& points) const;
 
 private:

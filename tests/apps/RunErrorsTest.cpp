@@ -6,6 +6,8 @@
 #include "vtkfilters/Filters/SeriesFile.h"
 #include "solver/mesh/shapes/GeodesicSphere.h"
 
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkPolyData.h"
 
 #include <gtest/gtest.h>
@@ -168,6 +170,33 @@ TEST_F(RunErrors, FailedRunKeepsItsLastGoodState)
   EXPECT_NE(bytes_of(folder / "pear/summary.json").find("\"failed\""), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(folder / "pear/pear.h5"));
   expect_mentions(outcome, "last frame of pear/pear.pvd");
+}
+
+TEST_F(RunErrors, FailedRunLeavesWhatTellsWhy)
+{
+  const std::vector<std::string> too_long{ "--set", "time.step=50.0", "--set",
+    "time.output_every=50.0", "--set", "time.end=100.0", "--set", "flow.rate=30.0" };
+  const auto outcome = run(too_long);
+  EXPECT_EQ(outcome.code, 3) << outcome.output;
+  const auto stopped = folder / "pear" / "stopped";
+  expect_mentions(outcome, "Take time.step = \"auto\"");
+  EXPECT_NE(bytes_of(stopped / "advice.txt").find("Take time.step = \"auto\""), std::string::npos);
+  EXPECT_EQ(read_mesh(stopped / "good.vtu")->GetNumberOfPolys(), 80);
+  const auto failing = read_mesh(stopped / "failing.vtu");
+  ASSERT_EQ(failing->GetNumberOfPolys(), 80);
+  auto* guilty = failing->GetCellData()->GetArray("Guilty");
+  ASSERT_NE(guilty, nullptr);
+  EXPECT_EQ(guilty->GetRange()[1], 1);
+  EXPECT_NE(bytes_of(stopped / "diagnostics.csv").find("energy_over_8pi"), std::string::npos);
+  // The scene stops again where it is run.
+  EXPECT_EQ(vesicle_command(stopped, { "run", "scene.toml", "--no-movie", "--no-plots" }).code, 3);
+
+  // Another run takes it away.
+  std::filesystem::remove_all(stopped / "pear");
+  for (const char* file : { "stdout.txt", "stderr.txt" })
+    std::filesystem::remove(stopped / file);
+  EXPECT_EQ(run({ "--overwrite", "--set", "time.end=0.1" }).code, 0);
+  EXPECT_FALSE(std::filesystem::exists(stopped));
 }
 
 // A tether that 80 triangles can't hold: told once, while the run goes on.

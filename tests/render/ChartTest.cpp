@@ -8,6 +8,9 @@
 #include "vtkPNGReader.h"
 
 #include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
 #include <limits>
 
 using namespace vesicle;
@@ -104,6 +107,24 @@ TEST(Chart, SeveralFitIntoOnePicture)
   const TemporaryFolder folder;
   write_charts(folder / "charts.png", { parabola(), parabola(), parabola() }, 2, { 800, 600 });
   EXPECT_GT(std::filesystem::file_size(folder / "charts.png"), 1000u);
+}
+
+TEST(Chart, IsAnSvgFileWhereItsNameEndsSo)
+{
+  const TemporaryFolder folder;
+  ChartSpec chart = parabola();
+  chart.lines[1].style = ChartLine::Style::cross;
+  write_chart(folder / "chart.svg", chart, { 640, 360 });
+  std::ifstream in(folder / "chart.svg");
+  const std::string text(std::istreambuf_iterator<char>(in), {});
+  EXPECT_EQ(text.find("<svg"), 0U);
+  EXPECT_NE(text.find("width=\"640\""), std::string::npos);
+  EXPECT_NE(text.find("</svg>"), std::string::npos);
+  std::size_t marks = 0;
+  for (auto at = text.find("<use"); at != std::string::npos; at = text.find("<use", at + 1))
+    ++marks;
+  EXPECT_GE(marks, chart.lines[1].x.size()); // and one in the legend
+  EXPECT_THROW(write_chart("/nonexistent/chart.svg", chart), IoError);
 }
 
 TEST(Chart, RefusesWhatItCannotDraw)

@@ -1,0 +1,68 @@
+#include "apps/tradeoff/Settings.h"
+
+#include "solver/scene/SceneNames.h"
+#include "solver/scene/TomlText.h"
+
+#include <fmt/format.h>
+
+namespace vesicle::tradeoff
+{
+namespace
+{
+
+/// key and value of key=value.
+std::array<std::string, 2> halves(const std::string& knob)
+{
+  const std::size_t equals = knob.find('=');
+  return { knob.substr(0, equals), knob.substr(equals + 1) };
+}
+
+/// Numbers stay, words get quotes.
+std::string toml_value(const std::string& value)
+{
+  return value.find_first_not_of("0123456789.e-+") == std::string::npos ? value : '"' + value + '"';
+}
+
+}
+
+std::string Settings::preset_name() const
+{
+  return name_of(preset_names, preset);
+}
+
+std::string Settings::label() const
+{
+  std::string label =
+    fmt::format("{}-{}-{}{:g}", preset_name(), triangles, time.fixed_step ? "dt" : "", time.value);
+  if (!knob.empty())
+  {
+    const auto [key, value] = halves(knob);
+    label += "-" + key + "-" + value;
+  }
+  return label;
+}
+
+std::vector<std::string> Settings::overrides() const
+{
+  std::vector<std::string> result{ "accuracy.preset=" + preset_name(),
+    fmt::format("vesicle.triangles={}", triangles),
+    fmt::format("time.{}={}", time.key(), to_toml(time.value)) };
+  if (!knob.empty())
+    result.push_back("accuracy." + knob);
+  return result;
+}
+
+std::string Settings::toml() const
+{
+  std::string text = fmt::format("[vesicle]\ntriangles = {}\n\n[time]\n{} = {}\n\n[accuracy]\n"
+                                 "preset = \"{}\"\n",
+    triangles, time.key(), to_toml(time.value), preset_name());
+  if (!knob.empty())
+  {
+    const auto [key, value] = halves(knob);
+    text += fmt::format("{} = {}\n", key, toml_value(value));
+  }
+  return text;
+}
+
+}

@@ -1,0 +1,123 @@
+#include "apps/tradeoff/Trial.h"
+
+#include "apps/RunFolder.h"
+#include "apps/RunTable.h"
+
+#include "solver/Errors.h"
+#include "solver/files/FileBytes.h"
+#include "solver/scene/SceneFile.h"
+#include "solver/simulation/Cost.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vesicle::tradeoff
+{
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+/// Of the pears of 80 to 1,280 triangles: program and start mesh, and what a step takes beside the
+/// pairs of triangles, which Cost.h counts.
+constexpr double loop_start_seconds = 0.8, flat_start_seconds = 0.15;
+constexpr double loop_seconds_a_triangle = 1.5e-4, flat_seconds_a_triangle = 5.5e-5;
+
+/// The summary of a run of this scene, or null.
+Json summary_of(const RunFolder& files, const Scene& scene)
+{
+  if (!is_file(files.summary()))
+    return nullptr;
+  const Json summary = Json::parse(read_file(files.summary()), nullptr, false);
+  const bool same = summary.is_object() && summary.value("settings", "") == write_scene(scene);
+  return same ? summary : Json(nullptr);
+}
+
+std::optional<double> number_at(const Json& json, const char* table, const char* key)
+{
+  if (!json.contains(table) || !json[table].contains(key) || !json[table][key].is_number())
+    return std::nullopt;
+  return json[table][key].get<double>();
+}
+
+void read_scales(const RunTable& table, Trial& trial)
+{
+  for (std::size_t i = 0; i < table.columns.size(); ++i)
+    for (const Row& row : table.rows)
+    {
+      double& scale = trial.scales[table.columns[i]];
+      scale = std::max(scale, std::abs(row[i].value_or(0)));
+    }
+}
+
+}
+
+const char* outcome_name(Trial::Outcome outcome)
+{
+  switch (outcome)
+  {
+    case Trial::Outcome::finished:
+      return "finished";
+    case Trial::Outcome::failed:
+      return "failed";
+    case Trial::Outcome::refused:
+      return "refused";
+    case Trial::Outcome::left_out:
+      return "left out";
+    case Trial::Outcome::waiting:
+      break;
+  }
+  return "not run";
+}
+
+std::filesystem::path TrialFolder::scene_file(const Settings& settings) const
+{
+  return folder_ / (settings.label() + ".toml");
+}
+
+std::filesystem::path TrialFolder::run_folder(const Settings& settings) const
+{
+  return folder_ / settings.label();
+}
+
+bool read_trial(const TrialFolder& folder, Trial& trial)
+{
+  const RunFolder files(folder.run_folder(trial.settings), trial.scene.name);
+  const Json summary = summary_of(files, trial.scene);
+  if (!summary.is_object())
+    return false;
+  const std::string outcome = summary.value("outcome", "");
+  trial.message = summary.value("message", "");
+  trial.cpu_seconds = number_at(summary, "timings", "cpu_seconds").value_or(0);
+  trial.steps = summary.value("steps", 0.);
+  trial.end = summary.value("time", 0.);
+  if (outcome != "finished" && outcome != "failed")
+    return false;
+  trial.outcome = outcome == "finished" ? Trial::Outcome::finished : Trial::Outcome::failed;
+  trial.space_estimate = number_at(summary, "error_estimates", "space");
+  trial.time_estimate = number_at(summary, "error_estimates", "time");
+  if (!trial.finished())
+    return true;
+  for (const auto& [name, value] : summary["final"].items())
+    if (value.is_number())
+      trial.values[name] = value.get<double>();
+  trial.rejected = trial.value("rejected").value_or(0);
+  read_scales(read_run_table(files.table()), trial);
+  return true;
+}
+
+double expected_seconds(const Scene& scene, double triangles, double steps)
+{
+  Scene timed = scene;
+  timed.time.output_every = 0;
+  timed.time.end = 1;
+  timed.time.step = 1 / steps;
+  const bool flat = scene.accuracy.basis == Scene::Basis::linear;
+  return (flat ? flat_start_seconds : loop_start_seconds) +
+    (flat ? flat_seconds_a_triangle : loop_seconds_a_triangle) * triangles * steps +
+    cost_of(timed, triangles).seconds;
+}
+
+}
