@@ -167,7 +167,10 @@ std::string number_format(const std::vector<double>& values)
   int digits = 0;
   for (double s = step / unit; digits < most_digits; ++digits, s *= 10)
   {
-    if (std::abs(s - std::round(s)) < 1e-3 * s && s > 0.5)
+    const double shown = std::pow(10, digits) / unit; // values in the last digit
+    if (s > 0.5 &&
+      std::all_of(values.begin(), values.end(),
+        [&](double v) { return std::abs(v * shown - std::round(v * shown)) < 1e-3 * s; }))
     {
       break;
     }

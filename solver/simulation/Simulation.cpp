@@ -152,7 +152,8 @@ struct Simulation::Impl
   {
     Scene other = scene;
     other.accuracy.quadrature = quadrature;
-    SceneOnMesh mesh(other, scales, vesicle.triangles, static_cast<int>(vesicle.points.rows()));
+    SceneOnMesh mesh(
+      other, scales, vesicle.triangles, static_cast<int>(vesicle.points.rows()), start_points()[0]);
     return mesh.evolution().instant({ vesicle.points }).vesicles[0].velocity;
   }
   double layer_error(const State& state)

@@ -162,6 +162,8 @@ TEST(NumberFormat, TellsNeighboursApart)
   EXPECT_EQ(number_format({ 0, 0.05, 0.1 }), "%.2f");
   EXPECT_EQ(number_format({ 0, 1, 2 }), "%.0f");
   EXPECT_EQ(number_format({ 1e6, 1.5e6, 2e6 }), "%.1e");
+  EXPECT_EQ(number_format({ 11, 13, 14.5, 15.5 }), "%.1f");
+  EXPECT_EQ(number_format({ 0.05, 0.15, 0.25 }), "%.2f");
 }
 
 TEST(ArrayTitle, IsReadable)
