@@ -131,7 +131,7 @@ TEST(Check, PrintsEverySettingAsASceneThatReadsBack)
   for (std::string line; std::getline(lines, line);)
     if (line.starts_with("tolerance") || line.starts_with("kind"))
       EXPECT_EQ(line.find("by default"), std::string::npos) << line;
-    else if (line.starts_with("viscosity"))
+    else if (line.starts_with("viscosity "))
       expect_in(line, "pressure × time; by default");
 }
 

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace vesicle::test
 {
 
@@ -29,7 +31,8 @@ TEST(LimitTriangles, ApproachTheSurface)
   }
 }
 
-// They face as the mesh does, and its points are corners.
+// They face as the mesh does, and its points are corners; at extraordinary ones, where the last part
+// of LimitSurface is 1/64 of an edge wide, to that width's square times the curvature.
 TEST(LimitTriangles, FaceAsTheMeshAndHaveItsPoints)
 {
   const TriangleMesh mesh = jittered_sphere(3, 0.1);
@@ -42,7 +45,7 @@ TEST(LimitTriangles, FaceAsTheMeshAndHaveItsPoints)
       const Eigen::RowVector3d corner = mesh.points.row(mesh.triangles(t, k));
       const double nearest =
         (fine.points.middleRows(10 * t, 10).rowwise() - corner).rowwise().norm().minCoeff();
-      EXPECT_LT(nearest, 1e-9);
+      EXPECT_LT(nearest, std::pow(0.4 / 64, 2));
     }
   }
 }
