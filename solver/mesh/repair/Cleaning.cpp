@@ -13,7 +13,7 @@ namespace
 /// The same for the three ways to begin with a corner.
 std::array<int, 3> from_least_corner(std::array<int, 3> triangle)
 {
-  std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+  std::rotate(triangle.begin(), std::ranges::min_element(triangle), triangle.end());
   return triangle;
 }
 
