@@ -1,11 +1,11 @@
 #include "apps/ParameterSweep.h"
 
+#include "apps/ChildRun.h"
 #include "apps/Commands.h"
 #include "apps/Interrupt.h"
 #include "apps/RunReport.h"
 #include "apps/StandardOutput.h"
 #include "apps/Warning.h"
-#include "apps/tradeoff/ChildRun.h"
 
 #include "solver/Errors.h"
 #include "solver/Joined.h"
@@ -61,23 +61,12 @@ struct Running
   }
 
   const GridPoint* point;
-  tradeoff::ChildRun child;
+  ChildRun child;
 };
 
 bool is_done(const std::string& state)
 {
   return state == "finished" || state == "steady";
-}
-
-std::string last_line(const std::string& text)
-{
-  const auto end = text.find_last_not_of('\n');
-  if (end == std::string::npos)
-  {
-    return {};
-  }
-  const auto before = text.rfind('\n', end);
-  return text.substr(before == std::string::npos ? 0 : before + 1, end - (before + 1) + 1);
 }
 
 }
@@ -87,8 +76,7 @@ ParameterSweep::ParameterSweep(SweepSettings settings)
 {
   if (settings_.threads == 0)
   {
-    const int processors = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    settings_.threads = std::max(1, processors / settings_.jobs);
+    settings_.threads = threads_a_run(settings_.jobs);
   }
   for (const GridPoint& point : grid_)
   {
@@ -149,8 +137,9 @@ std::string ParameterSweep::state_of(const GridPoint& point) const
   }
 }
 
-int ParameterSweep::record(const GridPoint& point, int code, const std::string& output) const
+int ParameterSweep::record(const GridPoint& point, const ChildRun& child) const
 {
+  const int code = child.code();
   write_table();
   if (code == exit_code::interrupted)
   {
@@ -158,8 +147,7 @@ int ParameterSweep::record(const GridPoint& point, int code, const std::string& 
   }
   if (code != exit_code::done)
   {
-    warn(fmt::format("{}: {}", folder_of(point).string(),
-      output.empty() ? fmt::format("ended with {}", code) : last_line(output)));
+    warn(fmt::format("{}: {}", folder_of(point).string(), child.last_words()));
   }
   else if (!settings_.quiet)
   {
@@ -205,7 +193,7 @@ int ParameterSweep::run()
         ++run;
         continue;
       }
-      worst = std::max(worst, record(*run->point, run->child.code(), run->child.output()));
+      worst = std::max(worst, record(*run->point, run->child));
       run = running.erase(run);
     }
   }

@@ -10,6 +10,8 @@
 namespace vesicle
 {
 
+class ChildRun;
+
 struct SweepSettings
 {
   std::filesystem::path scene, folder;
@@ -39,7 +41,7 @@ private:
   std::filesystem::path folder_of(const GridPoint& point) const;
   std::vector<std::string> arguments_of(const GridPoint& point) const;
   std::string state_of(const GridPoint& point) const;
-  int record(const GridPoint& point, int code, const std::string& output) const;
+  int record(const GridPoint& point, const ChildRun& child) const;
 
   SweepSettings settings_;
   std::vector<GridPoint> grid_;

@@ -2,7 +2,7 @@
 # The charts and the table of docs/tradeoff.md, and how promises compare with what is exact:
 #   bash docs/make-tradeoff.sh [SCENE…]      pear tank-treading rigid-sphere; or relax-prolate
 # with the command in build/release, or in the folder BUILD; its runs stay in tradeoff/ there and aren't
-# repeated. Ten minutes of CPU time, on two cores half of that.
+# repeated. Eight minutes of CPU time, on two cores half of that.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 build=${BUILD:-build/release}

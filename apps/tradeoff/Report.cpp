@@ -6,6 +6,7 @@
 #include "render/Chart.h"
 #include "solver/Errors.h"
 #include "solver/files/FileBytes.h"
+#include "solver/scene/SceneNames.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -131,19 +132,12 @@ std::string verdict(const Report& report)
         report.tolerance, error, t.settings.label(), t.cpu_seconds);
 }
 
-struct Named
+ChartLine points_of(
+  const Report& report, const NamedChoice<Scene::Preset>& preset, const std::vector<Reference>& of)
 {
-  const char* name;
-  Scene::Preset preset;
-};
-constexpr Named presets[]{ { "paper", Scene::Preset::paper }, { "fast", Scene::Preset::fast },
-  { "balanced", Scene::Preset::balanced }, { "accurate", Scene::Preset::accurate } };
-
-ChartLine points_of(const Report& report, const Named& preset, const std::vector<Reference>& of)
-{
-  ChartLine line{ preset.name, {}, {}, ChartLine::Style::points };
+  ChartLine line{ std::string(preset.name), {}, {}, ChartLine::Style::points };
   for (const Trial& t : report.trials)
-    if (t.settings.preset == preset.preset && t.finished())
+    if (t.settings.preset == preset.choice && t.finished())
     {
       line.x.push_back(t.cpu_seconds);
       line.y.push_back(promised_error(t, of));
@@ -180,7 +174,7 @@ ChartSpec panel(const Report& report, const Reference& r)
   const std::vector<Reference> of{ r };
   ChartSpec chart{ r.observable, "CPU time (s)", "error", {}, true, true };
   chart.lines.push_back(front_of(report, of));
-  for (const Named& preset : presets)
+  for (const auto& preset : preset_names)
     chart.lines.push_back(points_of(report, preset, of));
   chart.lines.push_back(level("tolerance", report.tolerance, report.trials));
   if (report.recommendation)
@@ -197,7 +191,10 @@ Json settings_json(const Settings& s)
   Json json{ { "preset", s.preset_name() }, { "triangles", s.triangles },
     { fmt::format("time_{}", s.time.key()), s.time.value } };
   if (!s.knob.empty())
-    json[s.knob.substr(0, s.knob.find('='))] = s.knob.substr(s.knob.find('=') + 1);
+  {
+    const auto [key, value] = s.knob_halves();
+    json[key] = value;
+  }
   return json;
 }
 

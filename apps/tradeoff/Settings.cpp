@@ -10,19 +10,18 @@ namespace vesicle::tradeoff
 namespace
 {
 
-/// key and value of key=value.
-std::array<std::string, 2> halves(const std::string& knob)
-{
-  const std::size_t equals = knob.find('=');
-  return { knob.substr(0, equals), knob.substr(equals + 1) };
-}
-
 /// Numbers stay, words get quotes.
 std::string toml_value(const std::string& value)
 {
   return value.find_first_not_of("0123456789.e-+") == std::string::npos ? value : '"' + value + '"';
 }
 
+}
+
+std::array<std::string, 2> Settings::knob_halves() const
+{
+  const std::size_t equals = knob.find('=');
+  return { knob.substr(0, equals), knob.substr(equals + 1) };
 }
 
 std::string Settings::preset_name() const
@@ -36,7 +35,7 @@ std::string Settings::label() const
     fmt::format("{}-{}-{}{:g}", preset_name(), triangles, time.fixed_step ? "dt" : "", time.value);
   if (!knob.empty())
   {
-    const auto [key, value] = halves(knob);
+    const auto [key, value] = knob_halves();
     label += "-" + key + "-" + value;
   }
   return label;
@@ -59,7 +58,7 @@ std::string Settings::toml() const
     triangles, time.key(), to_toml(time.value), preset_name());
   if (!knob.empty())
   {
-    const auto [key, value] = halves(knob);
+    const auto [key, value] = knob_halves();
     text += fmt::format("{} = {}\n", key, toml_value(value));
   }
   return text;

@@ -3,6 +3,7 @@
 
 #include "solver/scene/Scene.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct Settings
   /// Of its folder and in tables: balanced-320-0.001, with -quadrature-6 behind it.
   std::string label() const;
   std::string preset_name() const;
+  std::array<std::string, 2> knob_halves() const; ///< key and value
   /// As of `vesicle run --set`.
   std::vector<std::string> overrides() const;
   /// As part of a scene.

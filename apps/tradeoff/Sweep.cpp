@@ -41,14 +41,6 @@ Scene scene_with_end(const SweepPlan& plan)
   return scene;
 }
 
-std::string last_line(std::string text)
-{
-  while (!text.empty() && text.back() == '\n')
-    text.pop_back();
-  const std::size_t before = text.rfind('\n');
-  return before == std::string::npos ? text : text.substr(before + 1);
-}
-
 /// How little one run tells of another's steps: the time setting decides, then the method.
 double distance(const Settings& a, const Settings& b)
 {
@@ -224,12 +216,11 @@ bool Sweep::left_out(const std::list<Running>& running, Trial& next) const
 void Sweep::start(std::list<Running>& running, std::size_t trial) const
 {
   const Settings& settings = trials_[trial].settings;
-  const unsigned processors = std::max(1U, std::thread::hardware_concurrency()),
-                 threads = std::max(1U, processors / static_cast<unsigned>(plan_.jobs));
   replace_file(folder_.scene_file(settings), write_scene(trials_[trial].scene));
   const std::vector<std::string> arguments{ "run", folder_.scene_file(settings).string(), "-o",
-    folder_.run_folder(settings).string(), "--threads", std::to_string(threads), "--no-movie",
-    "--no-plots", "--quiet", "--overwrite" };
+    folder_.run_folder(settings).string(), "--threads",
+    std::to_string(threads_a_run(static_cast<int>(plan_.jobs))), "--no-movie", "--no-plots",
+    "--quiet", "--overwrite" };
   running.emplace_back(trial, arguments);
 }
 
@@ -241,8 +232,7 @@ void Sweep::record(Trial& trial, const ChildRun& child)
       return;
     trial.outcome =
       child.code() == exit_code::bad_input ? Trial::Outcome::refused : Trial::Outcome::failed;
-    trial.message = child.output().empty() ? fmt::format("ended with code {}", child.code())
-                                           : last_line(child.output());
+    trial.message = child.last_words();
   }
   tell_(fmt::format("  {:<40} {}", trial.settings.label(),
     trial.finished() ? fmt::format("{:6.1f} s, {:.0f} steps", trial.cpu_seconds, trial.steps)

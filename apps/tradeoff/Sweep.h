@@ -1,7 +1,7 @@
 #pragma once
 // The runs of a trade-off, each a process of its own, a few at a time.
 
-#include "apps/tradeoff/ChildRun.h"
+#include "apps/ChildRun.h"
 #include "apps/tradeoff/Trial.h"
 
 #include <filesystem>

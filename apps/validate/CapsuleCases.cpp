@@ -5,8 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 namespace vesicle::validation
 {
 namespace
@@ -18,8 +16,6 @@ void neo_hookean(Report& report)
   const History run = simulate(scene_of(
     "capsule", { fmt::format("vesicle.triangles={}", report.triangles()), "time.end=12" }));
   const Diagnostics& d = run.end();
-  const auto inclination = [](const Diagnostics& row)
-  { return row.inclination_deg.value_or(std::nan("")); };
   report.add(relative("Taylor deformation", 0.3981, d.taylor_deformation, 2e-3));
   report.add(absolute("inclination (deg)", 25.18, inclination(d), 0.05));
   const double axes[] = { 1.4186, 1.1544, 0.6108 };

@@ -29,6 +29,11 @@ History simulate(const Scene& scene, const TriangleMesh& start, double latest)
     [&](const Diagnostics& diagnostics) { progress.step(diagnostics); });
 }
 
+double inclination(const Diagnostics& d)
+{
+  return d.inclination_deg.value_or(std::nan(""));
+}
+
 ChartLine line_of(const History& run, const std::string& label,
   const std::function<double(const Diagnostics&)>& quantity)
 {

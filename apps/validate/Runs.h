@@ -20,6 +20,9 @@ Scene scene_of(const std::string& name, const std::vector<std::string>& override
 History simulate(const Scene& scene);
 History simulate(const Scene& scene, const TriangleMesh& start, double latest = HUGE_VAL);
 
+/// Of the long axis to the flow, in degrees; NaN where there is none.
+double inclination(const Diagnostics& d);
+
 /// A quantity of every row against time.
 ChartLine line_of(const History& run, const std::string& label,
   const std::function<double(const Diagnostics&)>& quantity);

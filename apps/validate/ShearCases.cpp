@@ -15,11 +15,6 @@ namespace vesicle::validation
 namespace
 {
 
-double inclination(const Diagnostics& d)
-{
-  return d.inclination_deg.value_or(std::nan(""));
-}
-
 /// How far a tension's values lie from the mean of their neighbours', rms, relative to the
 /// tension's range: a checkerboard has about 1, a smooth tension of wave length 1 falls with h².
 double roughness(const History& run)

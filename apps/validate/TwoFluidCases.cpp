@@ -7,17 +7,11 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
 
 namespace vesicle::validation
 {
 namespace
 {
-
-double inclination(const Diagnostics& d)
-{
-  return d.inclination_deg.value_or(std::nan(""));
-}
 
 /// The speed of a body that its weight z n has just set in motion, in Bo EB/μ r0².
 double first_speed(ShapeRequest::Kind kind, double reduced_volume, int triangles,

@@ -172,11 +172,9 @@ Eigen::VectorXd LoadStage::imposed_share(std::size_t v) const
 }
 
 // Σ (1 − λ) (K u + n̂ (Qᵀv·u)/2A).
-Eigen::VectorXd LoadStage::contrast_of(const Eigen::VectorXd& velocity, Precision precision) const
+Eigen::VectorXd LoadStage::contrast_of(const std::vector<Eigen::VectorXd>& control,
+  const Eigen::VectorXd& velocity, Precision precision) const
 {
-  std::vector<Eigen::VectorXd> control;
-  for (std::size_t v = 0; v < count(); ++v)
-    control.push_back(loads(v).surface().to_control(shape_.part(velocity, v)));
   Eigen::VectorXd result = layers_.contrast(control, velocity, precision);
   for (std::size_t v = 0; v < count(); ++v)
   {
@@ -201,17 +199,19 @@ std::vector<LoadUnknowns> LoadStage::rows(const std::vector<Eigen::VectorXd>& lo
   const std::vector<LoadUnknowns>& x, const Eigen::VectorXd& velocity, Precision precision) const
 {
   std::vector<LoadUnknowns> result;
+  std::vector<Eigen::VectorXd> control;
+  for (std::size_t v = 0; v < count(); ++v)
+    control.push_back(this->loads(v).surface().to_control(shape_.part(velocity, v)));
   const Eigen::VectorXd contrast =
-    has_contrast() ? contrast_of(velocity, precision) : Eigen::VectorXd();
+    has_contrast() ? contrast_of(control, velocity, precision) : Eigen::VectorXd();
   for (std::size_t v = 0; v < count(); ++v)
   {
     const VesicleLoads& own = this->loads(v);
     LoadUnknowns& part = result.emplace_back();
-    const Eigen::VectorXd at_vertices = shape_.part(velocity, v),
-                          u = own.surface().to_control(at_vertices);
+    const Eigen::VectorXd& u = control[v];
     if (has_parameters(v))
     {
-      part.parameters = -own.motion().parameters(at_vertices);
+      part.parameters = -own.motion().parameters(shape_.part(velocity, v));
       if (x[v].parameters.size() > 0)
         part.parameters += x[v].parameters;
     }

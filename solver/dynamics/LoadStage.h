@@ -88,7 +88,9 @@ private:
   /// 2/(1 + λ).
   double share_of_layer(std::size_t vesicle) const;
   Eigen::VectorXd imposed_share(std::size_t vesicle) const;
-  Eigen::VectorXd contrast_of(const Eigen::VectorXd& velocity, Precision precision) const;
+  /// `control`: of each vesicle's nodes, what `velocity` is at all vertices.
+  Eigen::VectorXd contrast_of(const std::vector<Eigen::VectorXd>& control,
+    const Eigen::VectorXd& velocity, Precision precision) const;
   void start_contrast(std::vector<LoadUnknowns>& x, const Eigen::VectorXd& without) const;
   std::vector<LoadUnknowns> precondition(const std::vector<LocalPreconditioner>& preconditioners,
     const std::vector<RigidMotions>& rigid, std::vector<LoadUnknowns> residual) const;

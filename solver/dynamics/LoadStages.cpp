@@ -60,17 +60,18 @@ void LoadStages::build_stiff(const SystemShape& shape, double tau)
 
 LayerMaps LoadStages::maps_of(const SystemShape& shape) const
 {
-  return { single_layer(shape), contrast(shape) };
+  const StokesOperator layer(layer_surfaces(shape));
+  return { single_layer(layer), contrast(layer) };
 }
 
-ContrastMap LoadStages::contrast(const SystemShape& shape) const
+ContrastMap LoadStages::contrast(const StokesOperator& surfaces) const
 {
   std::vector<double> factors;
-  for (const VesicleShape& vesicle : shape.vesicles)
-    factors.push_back(1 - vesicle.vesicle->viscosity_ratio);
+  for (const Vesicle& vesicle : system_.vesicles)
+    factors.push_back(1 - vesicle.viscosity_ratio);
   if (std::all_of(factors.begin(), factors.end(), [](double factor) { return factor == 0; }))
     return {};
-  const auto layer = std::make_shared<const DoubleLayer>(layer_surfaces(shape), factors,
+  const auto layer = std::make_shared<const DoubleLayer>(surfaces, factors,
     [&](const RowVectors& points, const Points& vertices)
     { return far_sum<PointKind::stresslet>(points, vertices, layer_); });
   const bool mixed = layer_.precision == LayerPrecision::mixed;
@@ -79,21 +80,20 @@ ContrastMap LoadStages::contrast(const SystemShape& shape) const
   { return layer->apply(nodal, at_vertices, mixed ? precision : Precision::full); };
 }
 
-LayerMap LoadStages::single_layer(const SystemShape& shape) const
+LayerMap LoadStages::single_layer(const StokesOperator& layer) const
 {
   if (layer_.method != LayerMethod::dense)
   {
-    const auto sum = std::make_shared<const LayerSum>(layer_surfaces(shape),
+    const auto sum = std::make_shared<const LayerSum>(layer,
       [&](const RowVectors& points, const Points& vertices)
       { return far_sum<PointKind::force>(points, vertices, layer_); });
     const bool mixed = layer_.precision == LayerPrecision::mixed;
     return [sum, mixed](const std::vector<Eigen::VectorXd>& densities, Precision precision)
     { return sum->apply(densities, mixed ? precision : Precision::full); };
   }
-  const StokesOperator layer(layer_surfaces(shape));
   const auto matrices = std::make_shared<std::vector<DenseMatrix>>();
-  for (std::size_t v = 0; v < shape.vesicles.size(); ++v)
-    matrices->push_back(layer.matrix(static_cast<int>(v)));
+  for (int v = 0; v < layer.surfaces(); ++v)
+    matrices->push_back(layer.matrix(v));
   return [matrices](const std::vector<Eigen::VectorXd>& densities, Precision)
   {
     Eigen::VectorXd velocity = multiply(matrices->front(), densities.front());

@@ -26,8 +26,8 @@ private:
   void build(const SystemShape& shape);
   void build_stiff(const SystemShape& shape, double tau);
   LayerMaps maps_of(const SystemShape& shape) const;
-  LayerMap single_layer(const SystemShape& shape) const;
-  ContrastMap contrast(const SystemShape& shape) const;
+  LayerMap single_layer(const StokesOperator& layer) const;
+  ContrastMap contrast(const StokesOperator& layer) const;
 
   const System& system_;
   LayerSettings layer_;

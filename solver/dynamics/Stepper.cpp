@@ -20,15 +20,6 @@ constexpr double sdirk_gamma = 1 - 1 / std::numbers::sqrt2;
 constexpr double longest_relaxation = 0.5;
 constexpr double longest_passage = 0.25;
 
-double mean_edge(const Points& points, const AdjacencyList& neighbours)
-{
-  double sum = 0;
-  for (int i = 0; i < points.rows(); ++i)
-    for (const int* j = neighbours.begin(i); j != neighbours.end(i); ++j)
-      sum += (points.row(*j) - points.row(i)).norm();
-  return sum / static_cast<double>(neighbours.item.size());
-}
-
 // The largest normal displacement of a step, in the mean edges of each vesicle.
 double largest_displacement(const SystemShape& shape, const Eigen::VectorXd& displacement,
   const std::vector<AdjacencyList>& neighbours)

@@ -69,6 +69,15 @@ Connectivity::Connectivity(const Triangles& triangles, int points)
   vertex_neighbours = neighbours_along(edges, points);
 }
 
+double mean_edge(const Points& points, const AdjacencyList& neighbours)
+{
+  double sum = 0;
+  for (int i = 0; i < points.rows(); ++i)
+    for (const int* j = neighbours.begin(i); j != neighbours.end(i); ++j)
+      sum += (points.row(*j) - points.row(i)).norm();
+  return neighbours.item.empty() ? 0 : sum / static_cast<double>(neighbours.item.size());
+}
+
 std::vector<char> border_vertices(const Connectivity& connectivity)
 {
   std::vector<char> border(connectivity.vertex_neighbours.start.size() - 1, 0);

@@ -36,6 +36,9 @@ struct Connectivity
   std::vector<int> edge_triangles;
 };
 
+/// Mean length of the edges; 0 without edges.
+double mean_edge(const Points& points, const AdjacencyList& neighbours);
+
 /// 1 at the ends of edges that don't have two triangles, 0 elsewhere.
 std::vector<char> border_vertices(const Connectivity& connectivity);
 

@@ -33,7 +33,7 @@ std::optional<double> seam_gap(const TriangleMesh& mesh)
   if (border.empty())
     return {};
   const Eigen::RowVector3d low = mesh.points.colwise().minCoeff();
-  const double diagonal = (mesh.points.colwise().maxCoeff() - low).norm();
+  const double diagonal = box_diagonal(mesh.points);
   if (!(diagonal > 0))
     return {};
   PointHash seen(nearest_twin * diagonal);

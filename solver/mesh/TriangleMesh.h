@@ -26,6 +26,12 @@ struct TriangleMesh
   Triangles triangles;
 };
 
+/// Of the points' box along the axes; 0 without points.
+inline double box_diagonal(const Points& points)
+{
+  return points.rows() > 0 ? (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm() : 0;
+}
+
 /// The corners of triangle t, seen from `origin`.
 inline std::array<Vector3, 3> corners(
   const TriangleMesh& mesh, int t, const Vector3& origin = Vector3::Zero())

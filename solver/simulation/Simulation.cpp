@@ -147,7 +147,7 @@ struct Simulation::Impl
     return tried;
   }
 
-  /// Velocities of a shape by a rule, nothing of a time step in them.
+  /// Velocities of a shape by another rule, nothing of a time step in them.
   Points velocities(const VesicleState& vesicle, int quadrature) const
   {
     Scene other = scene;
@@ -160,7 +160,7 @@ struct Simulation::Impl
   {
     const VesicleState& vesicle = state.vesicles[0];
     const int points = scene.accuracy.quadrature;
-    const Points velocity = velocities(vesicle, points),
+    const Points velocity = evolution(state).instant({ vesicle.points }).vesicles[0].velocity,
                  other = velocities(vesicle, other_quadrature(points));
     const auto mean = [](const Points& v) { return std::sqrt(v.rowwise().squaredNorm().mean()); };
     const double speed = std::max(mean(other), evolution(state).system().rate());

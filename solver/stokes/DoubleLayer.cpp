@@ -12,31 +12,24 @@ std::unique_ptr<const PointSum> DoubleLayer::direct_sum(
   return std::make_unique<DirectPointSum<PointKind::stresslet>>(points, vertices);
 }
 
-DoubleLayer::DoubleLayer(const std::vector<LayerSurface>& surfaces, std::vector<double> factors,
+DoubleLayer::DoubleLayer(const StokesOperator& layer, const std::vector<double>& factors,
   const LayerSum::MakePointSum& make_sum)
+  : sum_(make_sum(layer.sources(), layer.targets())), vertices_(layer.vertices())
 {
-  const StokesOperator layer(surfaces);
-  for (int s = 0; s < static_cast<int>(surfaces.size()); ++s)
+  for (int s = 0; s < layer.surfaces(); ++s)
   {
     const LayerPoints& at = layer.regular_points(s);
-    sources_.push_back({ &surfaces[s].rules->regular().table,
+    const LayerSurface& surface = layer.surface(s);
+    Source source{ &surface.rules->regular().table,
       double_layer_factor * at.weight.asDiagonal() * at.surface.cross.rowwise().normalized(),
-      vertices_, points_, layer.double_layer_corrections(s), factors[s], {} });
-    vertices_ += surfaces[s].rules->vertices();
+      layer.first_vertex(s), points_, layer.double_layer_corrections(s), factors[s], {} };
+    const int own = surface.rules->vertices();
+    source.own = layer.surfaces() == 1
+      ? own_blocks(source, *sum_, own)
+      : own_blocks(source, *make_sum(at.surface.position, surface.vertices), own);
     points_ += static_cast<int>(at.weight.size());
+    sources_.push_back(std::move(source));
   }
-  RowVectors positions(points_, 3);
-  for (int s = 0; s < static_cast<int>(surfaces.size()); ++s)
-    positions.middleRows(sources_[s].first_point, sources_[s].normal.rows()) =
-      layer.regular_points(s).surface.position;
-  sum_ = make_sum(positions, layer.targets());
-  for (int s = 0; s < static_cast<int>(surfaces.size()); ++s)
-    if (surfaces.size() == 1)
-      find_own(sources_[s], *sum_, vertices_);
-    else
-      find_own(sources_[s],
-        *make_sum(layer.regular_points(s).surface.position, surfaces[s].vertices),
-        surfaces[s].rules->vertices());
 }
 
 DoubleLayer::Stresslets DoubleLayer::stresslets(const Source& source, const Points& nodal)
@@ -54,17 +47,18 @@ DoubleLayer::Stresslets DoubleLayer::stresslets(const Source& source, const Poin
 }
 
 // `sum` is from the source's points to its own vertices alone.
-void DoubleLayer::find_own(Source& source, const PointSum& sum, int vertices) const
+RowVectors DoubleLayer::own_blocks(const Source& source, const PointSum& sum, int vertices)
 {
-  source.own.resize(3L * vertices, 3);
+  RowVectors own(3L * vertices, 3);
   for (int c = 0; c < 3; ++c)
   {
     const Points constant = Vector3::Unit(c).transpose().replicate(vertices, 1);
     Points made = Points::Zero(vertices, 3);
     sum.add(stresslets(source, constant), Precision::full, made);
     source.corrections.add(double_layer_factor * flat(constant), 0, made);
-    source.own.col(c) = flat(Points(constant / 2 - made));
+    own.col(c) = flat(Points(constant / 2 - made));
   }
+  return own;
 }
 
 Eigen::VectorXd DoubleLayer::apply(const std::vector<Eigen::VectorXd>& nodal,

@@ -8,7 +8,7 @@
 namespace vesicle
 {
 
-/// At one shape. The surfaces' rules must outlive it.
+/// At the operator's shape. The surfaces' rules must outlive it, the operator need not.
 ///
 /// On a surface itself u(x) is taken out of u, K u = K (u − u(x)) + u(x)/2, so that rigid motions are
 /// exact: K u = u/2. What is left goes with 1/r, as the single layer does, and the same rules hold.
@@ -16,7 +16,7 @@ class DoubleLayer
 {
 public:
   /// `factors`: of each surface's layer.
-  DoubleLayer(const std::vector<LayerSurface>& surfaces, std::vector<double> factors,
+  DoubleLayer(const StokesOperator& layer, const std::vector<double>& factors,
     const LayerSum::MakePointSum& make_sum = direct_sum);
 
   static std::unique_ptr<const PointSum> direct_sum(
@@ -42,7 +42,7 @@ private:
   using Stresslets = Eigen::Matrix<double, Eigen::Dynamic, 6>;
 
   static Stresslets stresslets(const Source& source, const Points& nodal);
-  void find_own(Source& source, const PointSum& sum, int vertices) const;
+  static RowVectors own_blocks(const Source& source, const PointSum& sum, int vertices);
 
   std::vector<Source> sources_;
   std::unique_ptr<const PointSum> sum_;

@@ -11,22 +11,16 @@ std::unique_ptr<const PointSum> LayerSum::direct_sum(
   return std::make_unique<DirectSum>(points, vertices);
 }
 
-LayerSum::LayerSum(const std::vector<LayerSurface>& surfaces, const MakePointSum& make_sum)
+LayerSum::LayerSum(const StokesOperator& layer, const MakePointSum& make_sum)
+  : sum_(make_sum(layer.sources(), layer.targets())), vertices_(layer.vertices())
 {
-  const StokesOperator layer(surfaces);
-  for (int s = 0; s < static_cast<int>(surfaces.size()); ++s)
+  for (int s = 0; s < layer.surfaces(); ++s)
   {
-    const LayerPoints& at = layer.regular_points(s);
-    sources_.push_back(
-      { &surfaces[s].rules->regular().table, at.weight, vertices_, points_, layer.corrections(s) });
-    vertices_ += surfaces[s].rules->vertices();
-    points_ += static_cast<int>(at.weight.size());
+    const Eigen::VectorXd& weight = layer.regular_points(s).weight;
+    sources_.push_back({ &layer.surface(s).rules->regular().table, weight, layer.first_vertex(s),
+      points_, layer.corrections(s) });
+    points_ += static_cast<int>(weight.size());
   }
-  RowVectors positions(points_, 3);
-  for (int s = 0; s < static_cast<int>(surfaces.size()); ++s)
-    positions.middleRows(sources_[s].first_point, sources_[s].weight.size()) =
-      layer.regular_points(s).surface.position;
-  sum_ = make_sum(positions, layer.targets());
 }
 
 Eigen::VectorXd LayerSum::apply(

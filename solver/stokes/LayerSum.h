@@ -12,15 +12,14 @@
 namespace vesicle
 {
 
-/// At one shape. The surfaces' rules must outlive it.
+/// At the operator's shape. The surfaces' rules must outlive it, the operator need not.
 class LayerSum
 {
 public:
   /// `make_sum`: what adds up all pairs of points and vertices.
   using MakePointSum = std::function<std::unique_ptr<const PointSum>(
     const RowVectors& points, const Points& vertices)>;
-  explicit LayerSum(
-    const std::vector<LayerSurface>& surfaces, const MakePointSum& make_sum = direct_sum);
+  explicit LayerSum(const StokesOperator& layer, const MakePointSum& make_sum = direct_sum);
 
   static std::unique_ptr<const PointSum> direct_sum(
     const RowVectors& points, const Points& vertices);

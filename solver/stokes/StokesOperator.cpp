@@ -236,6 +236,21 @@ struct LoadedPoints
 
 }
 
+RowVectors StokesOperator::sources() const
+{
+  Eigen::Index rows = 0;
+  for (const Rules& rules : points_)
+    rows += rules.regular.weight.size();
+  RowVectors positions(rows, 3);
+  Eigen::Index first = 0;
+  for (const Rules& rules : points_)
+  {
+    positions.middleRows(first, rules.regular.weight.size()) = rules.regular.surface.position;
+    first += rules.regular.weight.size();
+  }
+  return positions;
+}
+
 Points StokesOperator::targets() const
 {
   Points targets(vertices(), 3);

@@ -68,7 +68,12 @@ public:
   LayerCorrections corrections(int source) const;
   /// The same of the double layer, whose kernel is X X (X·n)/8π r⁵ here (DoubleLayer.h).
   LayerCorrections double_layer_corrections(int source) const;
+  int surfaces() const { return static_cast<int>(surfaces_.size()); }
+  const LayerSurface& surface(int source) const { return surfaces_[source]; }
+  int first_vertex(int source) const { return first_[source]; }
   const LayerPoints& regular_points(int source) const { return points_[source].regular; }
+  /// The points of all surfaces' regular rules, one surface after the other.
+  RowVectors sources() const;
   /// The vertices of all surfaces, N by 3.
   Points targets() const;
 

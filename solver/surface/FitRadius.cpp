@@ -15,11 +15,6 @@ namespace vesicle
 namespace
 {
 
-double diagonal(const Points& points)
-{
-  return (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
-}
-
 double median(std::vector<double> values)
 {
   if (values.empty())
@@ -41,7 +36,7 @@ struct Sample
 
   double typical_curvature(const Points& points) const
   {
-    return std::max(median(curvature), 1 / diagonal(points));
+    return std::max(median(curvature), 1 / box_diagonal(points));
   }
   double typical_error(const Points& points) const
   {
@@ -154,8 +149,8 @@ std::optional<double> radius_for_error(
   constexpr double first = 2, greatest_step = 1.6, smallest_step = 1.1; // in edges, then factors
   constexpr double farthest = 0.7; // of the radius of curvature
   const SampleFits fits(mesh, connectivity);
-  double radius = first * mean_edge(mesh, connectivity);
-  while (radius > 0 && radius < diagonal(mesh.points))
+  double radius = first * mean_edge(mesh.points, connectivity.vertex_neighbours);
+  while (radius > 0 && radius < box_diagonal(mesh.points))
   {
     const Sample sample = fits.at(radius);
     double step = greatest_step;
@@ -171,14 +166,6 @@ std::optional<double> radius_for_error(
     radius *= step;
   }
   return std::nullopt;
-}
-
-double mean_edge(const TriangleMesh& mesh, const Connectivity& connectivity)
-{
-  double sum = 0;
-  for (const auto& [a, b] : connectivity.edges)
-    sum += (mesh.points.row(a) - mesh.points.row(b)).norm();
-  return connectivity.edges.empty() ? 0 : sum / static_cast<double>(connectivity.edges.size());
 }
 
 }

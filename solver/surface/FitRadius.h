@@ -20,7 +20,4 @@ double typical_error(const TriangleMesh& mesh, const FittedCurvature& fit);
 std::optional<double> radius_for_error(
   const TriangleMesh& mesh, const Connectivity& connectivity, double wanted = 0.03);
 
-/// Mean length of the edges.
-double mean_edge(const TriangleMesh& mesh, const Connectivity& connectivity);
-
 }

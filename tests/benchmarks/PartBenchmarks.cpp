@@ -43,7 +43,8 @@ struct Stage
     : run(endless("pear", triangles), 1), start(run.state.vesicles[0]),
       dt(run.state.controller.next_step), tau((1 - 1 / std::numbers::sqrt2) * dt),
       system(fresh_system()), shape(system, { start.points + dt / 2 * start.node_velocity }),
-      layer(layer_surfaces(shape)), by_tree(layer_surfaces(shape), tree_sum), preconditioners(1),
+      layer(StokesOperator(layer_surfaces(shape))),
+      by_tree(StokesOperator(layer_surfaces(shape)), tree_sum), preconditioners(1),
       reference(
         relative_to_centroids(SystemShape(system, { start.points }), velocity_of(run.state))),
       neighbours(
@@ -146,7 +147,7 @@ using benchmark::DoNotOptimize;
       LayerRules(basis, layer_quadrature(basis, s.run.simulation.scene().accuracy.quadrature));
     });
   add("shape", [](Stage& s) { SystemShape(s.system, s.shape.points); });
-  add("layer", [](Stage& s) { LayerSum(layer_surfaces(s.shape)); });
+  add("layer", [](Stage& s) { LayerSum(StokesOperator(layer_surfaces(s.shape))); });
   const auto apply = [](Precision precision)
   {
     return [precision](Stage& s)
@@ -154,7 +155,7 @@ using benchmark::DoNotOptimize;
   };
   add("apply/double", apply(Precision::full));
   add("apply/single", apply(Precision::single));
-  add("tree", [](Stage& s) { LayerSum(layer_surfaces(s.shape), tree_sum); });
+  add("tree", [](Stage& s) { LayerSum(StokesOperator(layer_surfaces(s.shape)), tree_sum); });
   const auto apply_by_tree = [](Precision precision)
   {
     return [precision](Stage& s)

@@ -136,15 +136,17 @@ std::string noise_remark(const TriangleMesh& mesh, const Connectivity& connectiv
     "the points are too noisy for this fit: at half of them the standard error of the "
     "mean curvature is {} of the curvature or more; with a fit radius "
     "(FitRadius, --radius) of {:g}, {:.1f} mean edges, it would be {}",
-    percent(error), rounded_up(*better), *better / mean_edge(mesh, connectivity), percent(wanted));
+    percent(error), rounded_up(*better),
+    *better / mean_edge(mesh.points, connectivity.vertex_neighbours), percent(wanted));
 }
 
 Computed fitted(const TriangleMesh& mesh, const Connectivity& connectivity,
   const CurvatureSettings& settings, const ProgressCallback& progress, vtkPointData* arrays)
 {
   FitOptions options;
-  options.radius = settings.fit_radius > 0 ? settings.fit_radius
-                                           : settings.fit_rings * mean_edge(mesh, connectivity);
+  options.radius = settings.fit_radius > 0
+    ? settings.fit_radius
+    : settings.fit_rings * mean_edge(mesh.points, connectivity.vertex_neighbours);
   options.laplacian = settings.bending_force;
   FittedCurvature fit = fitted_curvature(mesh, connectivity, options, progress);
   arrays->AddArray(to_array("Fit_Residual", fit.residual));

@@ -88,10 +88,8 @@ double Repairing::merging_distance() const
 {
   if (settings_.merge)
     return *settings_.merge;
-  const double diagonal =
-    (mesh_.points.colwise().maxCoeff() - mesh_.points.colwise().minCoeff()).norm();
   const double seam = merge_distance(seam_gap(mesh_).value_or(0));
-  return std::max(seam, duplicate_distance * diagonal);
+  return std::max(seam, duplicate_distance * box_diagonal(mesh_.points));
 }
 
 void Repairing::clean()

@@ -47,11 +47,12 @@ struct Solved
     const State& guess = {})
     : shape(system, points)
   {
-    const LayerSum layer(layer_surfaces(shape));
+    const StokesOperator surfaces(layer_surfaces(shape));
+    const LayerSum layer(surfaces);
     std::vector<double> factors;
     for (const Vesicle& vesicle : system.vesicles)
       factors.push_back(1 - vesicle.viscosity_ratio);
-    const DoubleLayer double_layer(layer_surfaces(shape), factors);
+    const DoubleLayer double_layer(surfaces, factors);
     ContrastMap contrast;
     if (std::any_of(factors.begin(), factors.end(), [](double factor) { return factor != 0; }))
       contrast = [&](const std::vector<Eigen::VectorXd>& nodal, const Eigen::VectorXd& at_vertices,

@@ -52,4 +52,12 @@ TEST(Connectivity, EmptyMeshAndUnusedPoints)
   EXPECT_EQ(lonely.vertex_neighbours.size(1), 0);
 }
 
+TEST(Connectivity, MeanEdge)
+{
+  TriangleMesh mesh{ Points(3, 3), Triangles(1, 3) };
+  mesh.points << 0, 0, 0, 3, 0, 0, 0, 4, 0;
+  mesh.triangles << 0, 1, 2;
+  EXPECT_DOUBLE_EQ(mean_edge(mesh.points, Connectivity(mesh.triangles, 3).vertex_neighbours), 4);
+}
+
 }

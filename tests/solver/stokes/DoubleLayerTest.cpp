@@ -54,7 +54,7 @@ Eigen::VectorXd double_layer(const Body& body, const Field& field,
   const LayerSum::MakePointSum& make_sum = DoubleLayer::direct_sum)
 {
   const Eigen::VectorXd u = body.sampled(field);
-  return DoubleLayer({ body.surface() }, { 1 }, make_sum)
+  return DoubleLayer(StokesOperator({ body.surface() }), { 1 }, make_sum)
     .apply({ body.collocation.to_control(u) }, u);
 }
 
@@ -127,8 +127,9 @@ TEST(DoubleLayer, OfARigidMotionIsItselfInsideAndNothingOutside)
     const Eigen::VectorXd u = shell.sampled(motion), zero = 0 * speck.sampled(motion);
     Eigen::VectorXd both(u.size() + zero.size());
     both << u, zero;
-    const Eigen::VectorXd made = DoubleLayer({ shell.surface(), speck.surface() }, { 1, 1 })
-                                   .apply({ shell.collocation.to_control(u), zero }, both);
+    const Eigen::VectorXd made =
+      DoubleLayer(StokesOperator({ shell.surface(), speck.surface() }), { 1, 1 })
+        .apply({ shell.collocation.to_control(u), zero }, both);
     const Eigen::VectorXd there = made.tail(zero.size()),
                           exact = inside ? speck.sampled(motion) : zero;
     EXPECT_LT((there - exact).norm() / speck.sampled(motion).norm(), 2e-5) << inside;
@@ -147,7 +148,7 @@ TEST(DoubleLayer, InSinglePrecisionIsTheSameToItsError)
 {
   const Body body(test::smooth_sphere(320));
   const Eigen::VectorXd u = body.sampled(modes[2].field);
-  const DoubleLayer layer({ body.surface() }, { 1 });
+  const DoubleLayer layer(StokesOperator({ body.surface() }), { 1 });
   const std::vector<Eigen::VectorXd> control{ body.collocation.to_control(u) };
   const Eigen::VectorXd full = layer.apply(control, u),
                         single = layer.apply(control, u, Precision::single);

@@ -147,7 +147,7 @@ TEST(LayerSum, IsTheWholeMatrixAppliedOnFlatTriangles)
   const std::vector<LayerSurface> surfaces{ { &of_large, large.points, large.points },
     { &of_small, small.points, small.points } };
   const StokesOperator layer(surfaces);
-  const LayerSum sum(surfaces);
+  const LayerSum sum(layer);
   for (int source = 0; source < 2; ++source)
   {
     const DenseMatrix S = layer.matrix(source);
@@ -177,7 +177,7 @@ TEST(LayerSum, IsTheWholeMatrixApplied)
                                                 Collocation(of_large).fit(large.points) },
       { &second, small.points, Collocation(of_small).fit(small.points) } };
     const StokesOperator layer(surfaces);
-    const LayerSum sum(surfaces);
+    const LayerSum sum(layer);
     std::vector<Eigen::VectorXd> densities;
     Eigen::VectorXd u = Eigen::VectorXd::Zero(3 * layer.vertices());
     for (int source = 0; source < 2; ++source)
@@ -190,7 +190,7 @@ TEST(LayerSum, IsTheWholeMatrixApplied)
     EXPECT_LT(
       (sum.apply(densities, Precision::single) - u).norm(), single_precision_error * u.norm())
       << points;
-    const LayerSum by_tree(surfaces,
+    const LayerSum by_tree(layer,
       [](const RowVectors& from, const Points& to)
       { return std::make_unique<TreeSum>(from, to, 1e-7); });
     EXPECT_LT((by_tree.apply(densities) - u).norm(), 1e-7 * u.norm()) << points;

@@ -95,12 +95,4 @@ TEST(FitRadius, NoneForACoarseMesh)
   EXPECT_EQ(error(nothing), 0);
 }
 
-TEST(FitRadius, MeanEdge)
-{
-  TriangleMesh mesh{ Points(3, 3), Triangles(1, 3) };
-  mesh.points << 0, 0, 0, 3, 0, 0, 0, 4, 0;
-  mesh.triangles << 0, 1, 2;
-  EXPECT_DOUBLE_EQ(mean_edge(mesh, connectivity_of(mesh)), 4);
-}
-
 }

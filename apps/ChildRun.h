@@ -6,8 +6,11 @@
 
 #include <sys/types.h>
 
-namespace vesicle::tradeoff
+namespace vesicle
 {
+
+/// The processors shared out among so many runs at a time, 1 at least.
+int threads_a_run(int jobs);
 
 class ChildRun
 {
@@ -26,6 +29,8 @@ public:
   int code() const { return code_; }
   /// What it has printed, errors too.
   const std::string& output() const { return output_; }
+  /// The last line of it, or what it ended with where it has printed nothing.
+  std::string last_words() const;
   /// That it has taken so far; 0 once it has ended.
   double cpu_seconds() const;
   /// As Ctrl-C does.

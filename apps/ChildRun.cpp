@@ -1,19 +1,23 @@
-#include "apps/tradeoff/ChildRun.h"
+#include "apps/ChildRun.h"
 
 #include "solver/Errors.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <ctime>
 #include <system_error>
+#include <thread>
 
 #include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace vesicle::tradeoff
+namespace vesicle
 {
 namespace
 {
@@ -37,6 +41,11 @@ constexpr int not_started = 126;
   _exit(not_started);
 }
 
+}
+
+int threads_a_run(int jobs)
+{
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()) / jobs);
 }
 
 ChildRun::ChildRun(const std::vector<std::string>& arguments)
@@ -93,6 +102,16 @@ void ChildRun::read_output()
   std::array<char, 4096> buffer;
   for (ssize_t n = 0; (n = read(pipe_, buffer.data(), buffer.size())) > 0;)
     output_.append(buffer.data(), static_cast<std::size_t>(n));
+}
+
+std::string ChildRun::last_words() const
+{
+  const auto end = output_.find_last_not_of('\n');
+  if (end == std::string::npos)
+    return fmt::format("ended with code {}", code_);
+  const auto before = output_.rfind('\n', end);
+  const auto begin = before == std::string::npos ? 0 : before + 1;
+  return output_.substr(begin, end + 1 - begin);
 }
 
 double ChildRun::cpu_seconds() const
