@@ -75,7 +75,7 @@ struct PictureSize
     target = { table.integer(key, size[0], pixels), table.integer(key, size[1], pixels) };
   }
   std::string write(const std::array<int, 2>& value) const { return to_toml(value); }
-  std::string allowed() const { return std::string("[width, height], each ") + pixels.allowed; }
+  std::string allowed() const { return fmt::format("[width, height], each {}", pixels.allowed); }
 };
 
 /// A time, or a state to end in.
