@@ -8,6 +8,7 @@
 #include "solver/Errors.h"
 #include "solver/Joined.h"
 #include "solver/files/FileBytes.h"
+#include "solver/flow/FieldFlow.h"
 #include "solver/scene/NearestName.h"
 #include "solver/scene/SceneFile.h"
 
@@ -90,9 +91,14 @@ int write_template(const NewOptions& options)
   {
     replace_file(options.file, text);
   }
-  if (parse_scene(text, options.name).vesicle.mesh_file)
+  const Scene scene = parse_scene(text, options.name);
+  if (scene.vesicle.mesh_file)
   {
     warn(options.name + ": this scene starts from a mesh: give yours as vesicle.file");
+  }
+  if (scene.flow && &scene.flow->kind() == &FieldFlow::description())
+  {
+    warn(options.name + ": this scene's flow comes from a file: give yours as flow.file");
   }
   return exit_code::done;
 }

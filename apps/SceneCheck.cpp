@@ -10,6 +10,7 @@
 #include "solver/simulation/SystemOfScene.h"
 #include "solver/surface/SurfaceMeasures.h"
 #include "vtkfilters/Filters/SceneMesh.h"
+#include "vtkfilters/Filters/VelocityFieldFile.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -150,7 +151,9 @@ SceneCheck check_scene(const Scene& scene, const std::filesystem::path& folder)
     require_affordable(
       scene, scene.vesicle.mesh_file ? 0 : scene.vesicle.shape.triangles, check.available);
     TriangleMesh mesh = start_mesh_of(scene, notes);
-    const Simulation simulation(scene, std::move(mesh), notes);
+    std::string field_notes;
+    const Scene complete = with_velocity_field(scene, field_notes);
+    const Simulation simulation(complete, std::move(mesh), lines({ notes, field_notes }));
     measure(check, scene, simulation.start_mesh());
     check.numbers = simulation.numbers();
     notes = simulation.notes();

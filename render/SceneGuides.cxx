@@ -1,5 +1,7 @@
 #include "render/SceneGuides.h"
 
+#include "solver/flow/FieldFlow.h"
+
 #include "vtkMath.h"
 
 #include <cmath>
@@ -89,7 +91,8 @@ std::vector<Guide> scene_guides(const Scene& scene, const View& view)
   {
     guides.push_back(gravity_guide(*scene.gravity));
   }
-  if (scene.flow)
+  // A field isn't known where a file of it is all that there is, nor everywhere.
+  if (scene.flow && &scene.flow->kind() != &FieldFlow::description())
   {
     guides.push_back(flow_guide(*scene.flow, view));
   }

@@ -24,6 +24,12 @@ constexpr int max_attempts = 40;
 // The shape's normal speed relative to its centroid, in r0 times the system's rate.
 constexpr double steady_speed = 2e-3;
 
+StepperSettings with_time_unit(StepperSettings settings, double time_unit)
+{
+  settings.time_unit = time_unit;
+  return settings;
+}
+
 // The last guard: nothing else is ever saved.
 void require_finite(const State& state)
 {
@@ -37,8 +43,8 @@ void require_finite(const State& state)
 
 Evolution::Evolution(System system, const StepperSettings& settings, const OutputSchedule& schedule,
   double time_unit, std::optional<double> fixed_step)
-  : stepper_(std::move(system), settings), schedule_(schedule), time_unit_(time_unit),
-    fixed_step_(fixed_step)
+  : stepper_(std::move(system), with_time_unit(settings, time_unit)), schedule_(schedule),
+    time_unit_(time_unit), fixed_step_(fixed_step)
 {
 }
 
@@ -54,7 +60,7 @@ void Evolution::plan_next_step(State& state)
   double dt = state.controller.free_step;
   if (!fixed_step_ && state.vesicles.front().velocity.rows() > 0)
     dt = std::min(dt, stepper_.longest_step(state));
-  if (const auto target = schedule_.next(state); target && *target > state.time)
+  if (const auto target = schedule_.next_stop(state); target && *target > state.time)
     dt = step_towards(dt, state.time / time_unit_, *target / time_unit_);
   state.controller.next_step = dt;
 }
@@ -62,12 +68,14 @@ void Evolution::plan_next_step(State& state)
 // True for the last state of a run whose end has been put off since.
 bool Evolution::overshoots(const State& state) const
 {
-  const auto target = schedule_.next(state);
+  const auto target = schedule_.next_stop(state);
   return target && state.controller.next_step > (*target - state.time) / time_unit_ * (1 + 1e-9);
 }
 
 bool Evolution::steady(const State& state)
 {
+  if (system().flow && !system().flow->settled(state.time / time_unit_))
+    return false;
   const auto shape = stepper_.shape(state);
   return largest_normal(*shape, relative_to_centroids(*shape, velocity_of(state))) <
     steady_speed * rate();
@@ -178,10 +186,11 @@ State Evolution::step(const State& before)
 // `from`: the start of the step, planned anew after rejections.
 State Evolution::accept(const State& before, const State& from, State after, StepReport report)
 {
-  const auto target = schedule_.next(before);
+  const auto target = schedule_.next_stop(before);
   const double dt = from.controller.next_step;
   const bool on_target = target && dt == *target / time_unit_ - before.time / time_unit_;
-  after.time = on_target ? *target : before.time + dt * time_unit_;
+  if (on_target)
+    after.time = *target;
   schedule_.pass(after);
   const auto choose_step = [&]
   {

@@ -12,7 +12,8 @@ bool same_time(double a, double b)
   return std::abs(a - b) <= slack * std::max(std::abs(a), std::abs(b));
 }
 
-OutputSchedule::OutputSchedule(double every, std::optional<double> end) : every_(every), end_(end)
+OutputSchedule::OutputSchedule(double every, std::optional<double> end, Corners corners)
+  : every_(every), end_(end), corners_(std::move(corners))
 {
 }
 
@@ -33,6 +34,15 @@ std::optional<double> OutputSchedule::next(const State& state) const
     next = next ? std::min(*next, output) : output;
   }
   return next;
+}
+
+std::optional<double> OutputSchedule::next_stop(const State& state) const
+{
+  const std::optional<double> output = next(state);
+  const std::optional<double> corner = corners_ ? corners_(state.time) : std::nullopt;
+  if (!corner || (output && (*output <= *corner || same_time(*output, *corner))))
+    return output;
+  return corner;
 }
 
 bool OutputSchedule::due(const State& state) const

@@ -3,6 +3,7 @@
 
 #include "solver/dynamics/State.h"
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -13,16 +14,22 @@ namespace vesicle
 /// which a caller may have rounded differently.
 bool same_time(double a, double b);
 
-/// Multiples of `every`, and the end. Times are in the scene's units.
+/// Multiples of `every`, the end, and corners of what drives the run. Times are in the scene's units.
 class OutputSchedule
 {
 public:
-  /// `every` 0: no times but the end; `end` empty: until the run ends by itself.
-  OutputSchedule(double every, std::optional<double> end);
+  /// The first corner after a time; empty: there is none.
+  using Corners = std::function<std::optional<double>(double)>;
+
+  /// `every` 0: no times but the end; `end` empty: until the run ends by itself. `corners`: further
+  /// times that are hit, without an output.
+  OutputSchedule(double every, std::optional<double> end, Corners corners = {});
 
   const std::optional<double>& end() const { return end_; }
-  /// The time that the run goes to next; empty if there is none.
+  /// The output or end that the run goes to next; empty if there is none.
   std::optional<double> next(const State& state) const;
+  /// The same or a corner that comes before it.
+  std::optional<double> next_stop(const State& state) const;
   /// True at the start and where a multiple of `every` was hit.
   bool due(const State& state) const;
   /// The times of the outputs that `state` has passed, from the start on.
@@ -37,6 +44,7 @@ private:
 
   double every_;
   std::optional<double> end_;
+  Corners corners_;
 };
 
 }

@@ -126,16 +126,17 @@ double Stepper::implicit_fraction() const
   return settings_.integrator == Integrator::imex_midpoint ? sdirk_gamma : 1;
 }
 
-std::shared_ptr<const SystemShape> Stepper::shape(const std::vector<Points>& points)
+std::shared_ptr<const SystemShape> Stepper::shape(const std::vector<Points>& points, double time)
 {
-  if (!shape_ || shape_->points != points)
-    shape_ = std::make_shared<const SystemShape>(system_, points);
+  const bool varies = system_.flow && system_.flow->at(time);
+  if (!shape_ || shape_->points != points || (varies && shape_->time != time))
+    shape_ = std::make_shared<const SystemShape>(system_, points, time);
   return shape_;
 }
 
 std::shared_ptr<const SystemShape> Stepper::shape(const State& state)
 {
-  return shape(points_of(state));
+  return shape(points_of(state), time_of(state));
 }
 
 double Stepper::longest_step(const State& state)
@@ -158,10 +159,10 @@ double Stepper::longest_step(const State& state)
   return longest;
 }
 
-Stepper::Solved Stepper::solve_stage(
-  State& state, const std::vector<Points>& points, double dt, const Eigen::VectorXd& reference)
+Stepper::Solved Stepper::solve_stage(State& state, const std::vector<Points>& points, double time,
+  double dt, const Eigen::VectorXd& reference)
 {
-  const auto there = shape(points);
+  const auto there = shape(points, time);
   const double tau = implicit_fraction() * dt;
   Solved solved{ there, {}, {} };
   solved.sliding.resize(there->vesicles.size());
@@ -202,7 +203,8 @@ std::vector<Points> Stepper::node_velocities(const Solved& stage, const State* r
 
 void Stepper::solve(State& state)
 {
-  const Solved stage = solve_stage(state, points_of(state), state.controller.next_step, {});
+  const Solved stage =
+    solve_stage(state, points_of(state), time_of(state), state.controller.next_step, {});
   const std::vector<Points> node_velocity = node_velocities(stage, nullptr);
   for (std::size_t v = 0; v < state.vesicles.size(); ++v)
   {
@@ -231,6 +233,7 @@ State Stepper::attempt(const State& before, StepReport& report)
   after.iterations = 0;
   after.controller.last_step = dt;
   after.step = before.step + 1;
+  after.time = before.time + dt * settings_.time_unit;
   report = {};
   const auto start = shape(before);
   const Eigen::VectorXd relative = relative_to_centroids(*start, velocity_of(before));
@@ -251,7 +254,7 @@ void Stepper::advance_midpoint(
   std::vector<Points> halfway = points_of(before);
   for (std::size_t v = 0; v < halfway.size(); ++v)
     halfway[v] += dt / 2 * before.vesicles[v].node_velocity;
-  const Solved middle = solve_stage(after, halfway, dt, relative);
+  const Solved middle = solve_stage(after, halfway, time_of(before) + dt / 2, dt, relative);
   const std::vector<Points> node_velocity = node_velocities(middle, &before);
   for (std::size_t v = 0; v < halfway.size(); ++v)
   {

@@ -17,6 +17,7 @@ struct StepperSettings
   LayerSettings layer;
   double linear_tolerance = 1e-10;
   StepLimits limits;
+  double time_unit = 1; ///< t0 in the units of State::time
 };
 
 /// IMEX midpoint, second order and L-stable:
@@ -61,9 +62,11 @@ private:
     std::vector<std::unique_ptr<const TangentialMotion>> sliding;
   };
 
-  std::shared_ptr<const SystemShape> shape(const std::vector<Points>& points);
-  Solved solve_stage(
-    State& state, const std::vector<Points>& points, double dt, const Eigen::VectorXd& reference);
+  /// In t0.
+  double time_of(const State& state) const { return state.time / settings_.time_unit; }
+  std::shared_ptr<const SystemShape> shape(const std::vector<Points>& points, double time);
+  Solved solve_stage(State& state, const std::vector<Points>& points, double time, double dt,
+    const Eigen::VectorXd& reference);
   double implicit_fraction() const;
   std::vector<Points> node_velocities(const Solved& stage, const State* reference) const;
   void advance_midpoint(
@@ -74,7 +77,7 @@ private:
   StepperSettings settings_;
   std::vector<AdjacencyList> neighbours_; ///< of each vesicle's vertices
   // What is kept between steps and never changes a result.
-  std::shared_ptr<const SystemShape> shape_; ///< of the last shapes asked for
+  std::shared_ptr<const SystemShape> shape_; ///< of the last shapes and time asked for
   std::unique_ptr<StageSolver> stages_;
 };
 

@@ -66,8 +66,8 @@ Mobility::Columns VesicleShape::columns() const
     other_force.vector };
 }
 
-SystemShape::SystemShape(const System& system, const std::vector<Points>& at)
-  : points(at), first{ 0 }
+SystemShape::SystemShape(const System& system, const std::vector<Points>& at, double now)
+  : points(at), time(now), first{ 0 }
 {
   for (std::size_t i = 0; i < system.vesicles.size(); ++i)
   {
@@ -75,10 +75,9 @@ SystemShape::SystemShape(const System& system, const std::vector<Points>& at)
     first.push_back(first.back() + points[i].rows());
   }
   imposed = Eigen::VectorXd::Zero(3 * vertices());
-  if (system.flow)
+  if (const auto flow = flow_at(system.flow, time))
     for (std::size_t i = 0; i < vesicles.size(); ++i)
-      imposed.segment(3 * first[i], 3 * points[i].rows()) =
-        flat(system.flow->velocities(points[i]));
+      imposed.segment(3 * first[i], 3 * points[i].rows()) = flat(flow->velocities(points[i]));
 }
 
 std::vector<LayerSurface> layer_surfaces(const SystemShape& shape)

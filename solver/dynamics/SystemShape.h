@@ -40,10 +40,11 @@ private:
 
 struct SystemShape
 {
-  /// The system must outlive the shape.
-  SystemShape(const System& system, const std::vector<Points>& points);
+  /// The system must outlive the shape. `time`, in t0, is the imposed flow's.
+  SystemShape(const System& system, const std::vector<Points>& points, double time = 0);
 
   std::vector<Points> points;
+  double time;
   std::vector<VesicleShape> vesicles;
   std::vector<Eigen::Index> first; ///< first vertex of each vesicle, and the number of all
   Eigen::VectorXd imposed;         ///< u∞ at all vertices, 3N; zero at rest

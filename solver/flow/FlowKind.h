@@ -17,14 +17,16 @@ enum class Dimension
   rate,     ///< 1 over a time
   velocity, ///< a length over a time
   length,
-  direction ///< no unit; of length 1
+  direction, ///< no unit; of length 1
+  number,    ///< no unit
+  file       ///< no number but the absolute path of a file
 };
 
 struct FlowParameter
 {
   std::string name; ///< the key in scenes: "rate"
   Dimension dimension;
-  std::variant<double ImposedFlow::*, Vector3 ImposedFlow::*> member;
+  std::variant<double ImposedFlow::*, Vector3 ImposedFlow::*, std::string ImposedFlow::*> member;
   std::string help;
   bool required = true;  ///< false: a scene may leave it out, for what `make` gives
   bool positive = false; ///< a number above 0

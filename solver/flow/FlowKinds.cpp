@@ -1,6 +1,8 @@
 #include "solver/flow/FlowKinds.h"
 
 #include "solver/flow/Extension.h"
+#include "solver/flow/FieldFlow.h"
+#include "solver/flow/FourRollMill.h"
 #include "solver/flow/Poiseuille.h"
 #include "solver/flow/Rotation.h"
 #include "solver/flow/Shear.h"
@@ -20,6 +22,8 @@ const std::vector<const FlowKind*>& flow_kinds()
     &Extension::description(Extension::Type::axisymmetric),
     &Poiseuille::description(),
     &Rotation::description(),
+    &FourRollMill::description(),
+    &FieldFlow::description(),
   };
   return kinds;
 }

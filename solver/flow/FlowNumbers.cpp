@@ -65,6 +65,16 @@ std::vector<double> values_of(const Vector3& value)
   return { value.data(), value.data() + 3 };
 }
 
+std::vector<double> values_of(const std::string&)
+{
+  return {};
+}
+
+std::span<double> span_of(std::string&)
+{
+  return {};
+}
+
 std::span<double> span_of(double& value)
 {
   return { &value, 1 };
@@ -85,7 +95,7 @@ std::vector<FlowNumbers> numbers_of(const ImposedFlow& flow)
   {
     if (&parameter == axial.speed)
       numbers.push_back({ parameter.name, values_of(axial.of(flow)) });
-    else if (&parameter != axial.axis)
+    else if (&parameter != axial.axis && parameter.dimension != Dimension::file)
       std::visit(
         [&](auto member) {
           numbers.push_back({ parameter.name, values_of(flow.*member) });
@@ -105,7 +115,7 @@ std::shared_ptr<const ImposedFlow> flow_of(
   const std::shared_ptr<ImposedFlow> flow = chosen.make();
   for (const FlowParameter& parameter : chosen.parameters)
   {
-    if (&parameter == axial.axis)
+    if (&parameter == axial.axis || parameter.dimension == Dimension::file)
       continue;
     if (&parameter == axial.speed)
     {

@@ -20,7 +20,7 @@ struct FlowNumbers
 };
 
 /// The parameters of a flow, in the order of its kind; but a speed along an axis is one vector,
-/// `velocity`, and the axis isn't among them.
+/// `velocity`, and the axis isn't among them; nor are names of files.
 std::vector<FlowNumbers> numbers_of(const ImposedFlow& flow);
 
 /// The flow of a kind's number (0, at rest: none) from what `read` puts into the values of each

@@ -7,21 +7,21 @@ namespace vesicle
 namespace
 {
 
-template<class Value>
-Value divided(const Value& value, Dimension dimension, double length, double velocity)
+template<class Scaled>
+std::shared_ptr<const ImposedFlow> copy(const ImposedFlow& flow, Scaled scaled)
 {
-  switch (dimension)
-  {
-    case Dimension::rate:
-      return value * (length / velocity);
-    case Dimension::velocity:
-      return value / velocity;
-    case Dimension::length:
-      return value / length;
-    case Dimension::direction:
-      break;
-  }
-  return value;
+  const std::shared_ptr<ImposedFlow> result = flow.kind().make();
+  for (const FlowParameter& parameter : flow.kind().parameters)
+    std::visit(
+      [&](auto member)
+      {
+        if constexpr (std::is_same_v<decltype(member), std::string ImposedFlow::*>)
+          (*result).*member = flow.*member;
+        else
+          (*result).*member = scaled(flow.*member, parameter.dimension);
+      },
+      parameter.member);
+  return result;
 }
 
 }
@@ -36,12 +36,41 @@ Points ImposedFlow::velocities(const Points& points) const
 
 std::shared_ptr<const ImposedFlow> ImposedFlow::dimensionless(double length, double velocity) const
 {
-  const std::shared_ptr<ImposedFlow> flow = kind().make();
-  for (const FlowParameter& parameter : kind().parameters)
-    std::visit([&](auto member)
-      { (*flow).*member = divided(this->*member, parameter.dimension, length, velocity); },
-      parameter.member);
-  return flow;
+  return copy(*this,
+    [=]<class Value>(const Value& value, Dimension dimension) -> Value
+    {
+      switch (dimension)
+      {
+        case Dimension::rate:
+          return value * (length / velocity);
+        case Dimension::velocity:
+          return value / velocity;
+        case Dimension::length:
+          return value / length;
+        case Dimension::direction:
+        case Dimension::number:
+        case Dimension::file:
+          break;
+      }
+      return value;
+    });
+}
+
+std::shared_ptr<const ImposedFlow> ImposedFlow::times(double factor) const
+{
+  return copy(*this,
+    [=]<class Value>(const Value& value, Dimension dimension) -> Value
+    {
+      const bool moves = dimension == Dimension::rate || dimension == Dimension::velocity;
+      return moves ? Value(value * factor) : value;
+    });
+}
+
+std::shared_ptr<const ImposedFlow> flow_at(
+  const std::shared_ptr<const ImposedFlow>& flow, double time)
+{
+  const std::shared_ptr<const ImposedFlow> then = flow ? flow->at(time) : nullptr;
+  return then ? then : flow;
 }
 
 }

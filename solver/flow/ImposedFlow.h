@@ -39,10 +39,23 @@ struct ImposedFlow
   virtual std::optional<Profile> profile() const { return {}; }
 
   /// u∞ at the points: N by 3.
-  Points velocities(const Points& points) const;
+  virtual Points velocities(const Points& points) const;
 
   /// The same flow with lengths divided by `length` and velocities by `velocity`.
-  std::shared_ptr<const ImposedFlow> dimensionless(double length, double velocity) const;
+  virtual std::shared_ptr<const ImposedFlow> dimensionless(double length, double velocity) const;
+  /// The same flow with velocities multiplied by a factor.
+  virtual std::shared_ptr<const ImposedFlow> times(double factor) const;
+
+  /// What it is at a time, in its units; empty: itself, always.
+  virtual std::shared_ptr<const ImposedFlow> at(double /*time*/) const { return {}; }
+  /// The first time after `time` where it isn't smooth in time, which steps must hit; empty: none.
+  virtual std::optional<double> next_corner(double /*time*/) const { return {}; }
+  /// Whether it is the same from `time` on.
+  virtual bool settled(double /*time*/) const { return true; }
 };
+
+/// A flow as it is at a time; nothing, a fluid at rest, stays so.
+std::shared_ptr<const ImposedFlow> flow_at(
+  const std::shared_ptr<const ImposedFlow>& flow, double time);
 
 }

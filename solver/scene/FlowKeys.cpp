@@ -99,6 +99,8 @@ const char* unit_of(Dimension dimension)
     case Dimension::length:
       return "length";
     case Dimension::direction:
+    case Dimension::number:
+    case Dimension::file:
       break;
   }
   return "";
@@ -133,6 +135,83 @@ SceneKey parameter_key(const FlowParameter& parameter, Vector3 ImposedFlow::*mem
     parameter.name, in_flow(member), rules::Point{}, unit_of(parameter.dimension), parameter.help);
 }
 
+/// Relative to the scene's folder; absolute in memory and as written.
+struct FileOf
+{
+  void read(const TableReader& table, const std::string& key, std::string& target) const
+  {
+    table.read(key, target);
+    if (target.empty())
+      table.fail(key, "can't be empty", allowed());
+    target = std::filesystem::absolute(table.folder() / target).lexically_normal().string();
+  }
+  std::string write(const std::string& value) const { return to_toml(value); }
+  std::string allowed() const { return "the path of a file"; }
+};
+
+SceneKey parameter_key(const FlowParameter& parameter, std::string ImposedFlow::*member)
+{
+  return key(parameter.name, in_flow(member), FileOf{}, "", parameter.help);
+}
+
+/// Rows of a time and a factor.
+struct History
+{
+  using Table = std::vector<std::array<double, 2>>;
+
+  void read(const TableReader& table, const std::string& key, Table& target) const
+  {
+    target.clear();
+    for (const auto& item : table.items(key, table.at(key), 0, allowed()))
+    {
+      const auto& values = table.items(key, item, 2, allowed());
+      target.push_back(
+        { table.number(key, values[0], not_negative), table.number(key, values[1], any_number) });
+      const std::size_t n = target.size();
+      if (n > 1 && target[n - 1][0] < target[n - 2][0])
+        table.fail_at(item.where, key,
+          fmt::format("goes back from {} to {}", target[n - 2][0], target[n - 1][0]), allowed());
+    }
+    if (target.empty())
+      table.fail(key, "can't be empty", allowed());
+  }
+  std::string write(const Table& value) const { return value.empty() ? "" : to_toml(value); }
+  std::string allowed() const { return "[[time, factor], …] with times >= 0 that don't fall"; }
+};
+
+/// How the flow's strength changes with time, of every kind.
+std::vector<SceneKey> history_keys()
+{
+  using H = FlowHistory;
+  return {
+    key("history", at(&Scene::flow_history, &H::table), History{}, "time, a number",
+      "what the flow is multiplied by: linear between the times, constant before and after; two "
+      "rows "
+      "of one time are a jump")
+      .otherwise("1"),
+    key("period", at(&Scene::flow_history, &H::period), rules::Number{ positive }, "time",
+      "repeats the history, which is then from 0 to here")
+      .otherwise("no repetition"),
+    key("angular_frequency", at(&Scene::flow_history, &H::angular_frequency),
+      rules::Number{ not_negative }, "1 / time", "ω: multiplies the flow by cos ωt")
+      .written_if([](const Scene& scene) { return scene.flow_history.angular_frequency > 0; }),
+  };
+}
+
+// A period has a history, which fits into it.
+void check_history(const TableReader& table, const Scene& scene)
+{
+  const FlowHistory& history = scene.flow_history;
+  if (!history.period)
+    return;
+  if (history.table.empty())
+    table.fail("period", "repeats nothing", "a period beside a history, or none");
+  if (history.table.back()[0] > *history.period)
+    table.fail("period",
+      fmt::format("ends before the history's last time, {}", history.table.back()[0]),
+      "a number not below the history's last time");
+}
+
 std::vector<SceneKey> flow_keys()
 {
   std::vector<SceneKey> keys{ kind_key() };
@@ -148,6 +227,8 @@ std::vector<SceneKey> flow_keys()
     if (!kind->type.empty())
       keys.push_back(type_key(kind->name));
   }
+  for (const SceneKey& key : history_keys())
+    keys.push_back(key);
   return keys;
 }
 
@@ -181,6 +262,7 @@ SceneTable flow_table()
   }
   table.present = [](const Scene& scene) { return scene.flow != nullptr; };
   table.variant_in = variant_in;
+  table.check = check_history;
   table.variant_of = [](const Scene& scene) { return scene.flow->kind().name; };
   table.make_example = [](Scene& scene, const std::string& variant)
   { scene.flow = kinds_named(variant).front()->make(); };

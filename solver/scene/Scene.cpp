@@ -1,5 +1,7 @@
 #include "solver/scene/Scene.h"
 
+#include "solver/flow/VaryingFlow.h"
+
 namespace vesicle
 {
 
@@ -37,6 +39,11 @@ Scene::Bending Scene::bending_of(Basis basis)
 double Scene::preset_tolerance(Preset preset)
 {
   return preset == Preset::accurate ? 1e-4 : 1e-3;
+}
+
+std::shared_ptr<const ImposedFlow> imposed_flow(const Scene& scene)
+{
+  return with_history(scene.flow, scene.flow_history);
 }
 
 }

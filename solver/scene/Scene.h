@@ -3,6 +3,7 @@
 // data/scenes/ for examples and SceneFile.h for the TOML format.
 
 #include "solver/dynamics/Method.h"
+#include "solver/flow/FlowHistory.h"
 #include "solver/flow/ImposedFlow.h"
 #include "solver/membrane/BendingScheme.h"
 #include "solver/membrane/ElasticLaw.h"
@@ -59,6 +60,7 @@ struct Scene
   } fluid;
 
   std::shared_ptr<const ImposedFlow> flow; ///< empty: fluid at rest
+  FlowHistory flow_history;                ///< of its strength
 
   struct Gravity
   {
@@ -140,5 +142,8 @@ struct Scene
     std::optional<std::filesystem::path> directory;
   } output;
 };
+
+/// The flow with its history, in the scene's units; empty: at rest.
+std::shared_ptr<const ImposedFlow> imposed_flow(const Scene& scene);
 
 }

@@ -286,6 +286,11 @@ SceneTable time_table()
     key("tolerance", at(&Scene::time, &Time::tolerance), rules::Number{ positive }, "r0",
       "error of a position in a step, with step = \"auto\"; 1e-4 with the preset \"accurate\""),
   };
+  table.check = [](const TableReader& reader, const Scene& scene)
+  {
+    if (!scene.time.end && !scene.time.equilibrium && scene.flow_history.recurs())
+      reader.fail("end", "never comes: the flow varies for ever", "a time");
+  };
   return table;
 }
 

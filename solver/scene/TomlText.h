@@ -19,6 +19,8 @@ std::string to_toml(bool value);
 std::string to_toml(const std::string& text);
 std::string to_toml(const ShapeMode& mode);
 std::string to_toml(const Vector3& v);
+template<class T, std::size_t n>
+std::string to_toml(const std::array<T, n>& values);
 
 template<class Values>
 std::string toml_array(const Values& values)

@@ -81,8 +81,8 @@ System system_of(const Scene& scene, const Scales& scales, const Triangles& tria
 
   System system;
   system.vesicles.push_back(std::move(vesicle));
-  if (scene.flow)
-    system.flow = scene.flow->dimensionless(scales.length, scales.velocity());
+  if (const auto flow = imposed_flow(scene))
+    system.flow = flow->dimensionless(scales.length, scales.velocity());
   return system;
 }
 
@@ -100,7 +100,11 @@ StepperSettings stepper_settings_of(const Scene& scene)
 
 OutputSchedule schedule_of(const Scene& scene)
 {
-  return { scene.time.output_every, scene.time.end };
+  const auto flow = imposed_flow(scene);
+  if (!flow || flow->settled(0))
+    return { scene.time.output_every, scene.time.end };
+  return { scene.time.output_every, scene.time.end,
+    [flow](double time) { return flow->next_corner(time); } };
 }
 
 }

@@ -121,7 +121,8 @@ TEST(ForceFilter, RisingSphere)
 TEST(ForceFilter, FlowsMoveABareSurface)
 {
   const auto input = prolate();
-  for (int kind = vtkVesicleForceFilter::AtRest; kind <= vtkVesicleForceFilter::Rotation; ++kind)
+  for (int kind = vtkVesicleForceFilter::AtRest; kind <= vtkVesicleForceFilter::FourRollMill;
+       ++kind)
   {
     vtkNew<vtkVesicleForceFilter> filter;
     filter->SetInputData(input);
@@ -134,6 +135,7 @@ TEST(ForceFilter, FlowsMoveABareSurface)
     filter->SetFlowRadius(4);
     filter->SetFlowCenter(0.5, 0, 1);
     filter->SetFlowAxis(0, 2, 0);
+    filter->SetFlowType(-1);
     filter->Update();
     const Points velocity = array(filter->GetOutput(), "Velocity");
     for (vtkIdType i = 0; i < input->GetNumberOfPoints(); ++i)
@@ -144,7 +146,7 @@ TEST(ForceFilter, FlowsMoveABareSurface)
       const double profile = 1 - ((x - 0.5) * (x - 0.5) + (z - 1) * (z - 1)) / 16;
       const Eigen::RowVector3d exact[] = { { 0, 0, 0 }, { 0, 2, 0 }, { 3 * z, 0, 0 },
         { 3 * x, 0, -3 * z }, { -1.5 * x, -1.5 * y, 3 * z }, { 0, 2 * profile, 0 },
-        { 3 * z, 0, -3 * x } };
+        { 3 * z, 0, -3 * x }, { 3 * z, 0, -3 * x } };
       EXPECT_LT((velocity.row(i) - exact[kind]).norm(), 1e-12) << kind;
     }
     EXPECT_EQ(number(filter->GetOutput(), "Flow_Kind"), kind);

@@ -119,8 +119,8 @@ void expect_printed(vtkObject* object, std::initializer_list<const char*> names)
 }
 
 const auto scene_properties = { "BendingRigidity", "Incompressible", "Viscosity", "ViscosityRatio",
-  "FlowKind", "FlowRate", "FlowVelocity", "FlowRadius", "FlowCenter", "FlowAxis", "BondNumber",
-  "DensityDifference", "Acceleration", "Preset" };
+  "FlowKind", "FlowRate", "FlowVelocity", "FlowRadius", "FlowCenter", "FlowAxis", "FlowType",
+  "FlowFile", "BondNumber", "DensityDifference", "Acceleration", "Preset" };
 
 }
 

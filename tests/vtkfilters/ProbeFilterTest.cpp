@@ -48,7 +48,7 @@ vtkSmartPointer<vtkPolyData> solid_sphere(Scene::Basis basis)
   Scene scene;
   scene.accuracy.basis = basis;
   scene.fluid.viscosity = 2;
-  add_medium(scene, sphere->GetFieldData());
+  add_medium(scene, 0, sphere->GetFieldData());
   const Points force = Eigen::RowVector3d(0, 0, 3).replicate(sphere->GetNumberOfPoints(), 1);
   sphere->GetPointData()->AddArray(to_array("Membrane_Force", force));
   return sphere;
@@ -200,7 +200,8 @@ TEST(ProbeFilter, EveryFlowComesBackFromItsNumbers)
   const Points points = 4 * smooth_sphere(80).points;
   vtkNew<vtkVesicleSource> sphere;
   sphere->SetTriangles(80);
-  for (int kind = vtkVesicleForceFilter::AtRest; kind <= vtkVesicleForceFilter::Rotation; ++kind)
+  for (int kind = vtkVesicleForceFilter::AtRest; kind <= vtkVesicleForceFilter::FourRollMill;
+       ++kind)
   {
     vtkNew<vtkVesicleForceFilter> bare; // no force: the imposed flow is all there is
     bare->SetInputConnection(sphere->GetOutputPort());
@@ -212,6 +213,7 @@ TEST(ProbeFilter, EveryFlowComesBackFromItsNumbers)
     bare->SetFlowRadius(4);
     bare->SetFlowCenter(0.5, 0, 1);
     bare->SetFlowAxis(3, 0, 0);
+    bare->SetFlowType(0.5);
     bare->Update();
     const Points velocity = velocity_at(points, bare->GetOutput());
     for (Eigen::Index i = 0; i < points.rows(); ++i)
@@ -221,7 +223,8 @@ TEST(ProbeFilter, EveryFlowComesBackFromItsNumbers)
       const Vector3 from_axis = (Vector3(x, y, z) - Vector3(0.5, 0, 1)).cross(axis.normalized());
       const Eigen::RowVector3d exact[] = { { 0, 0, 0 }, axis.transpose(), { -3 * z, 0, 0 },
         { -3 * x, 0, 3 * z }, { 1.5 * x, 1.5 * y, -3 * z },
-        (1 - from_axis.squaredNorm() / 16) * axis.transpose(), { 0, 3 * z, -3 * y } };
+        (1 - from_axis.squaredNorm() / 16) * axis.transpose(), { 0, 3 * z, -3 * y },
+        { -2.25 * x - 0.75 * z, 0, 0.75 * x + 2.25 * z } };
       EXPECT_LT((velocity.row(i) - exact[kind]).norm(), 1e-12) << kind;
     }
   }
@@ -270,7 +273,7 @@ TEST(ProbeFilter, StreamTracerFollowsTheStreamFunction)
   medium.accuracy.basis = Scene::Basis::loop;
   medium.fluid.viscosity = 2;
   medium.flow = std::make_shared<Uniform>(Vector3(0, 0, -1));
-  add_medium(medium, sphere->GetFieldData());
+  add_medium(medium, 0, sphere->GetFieldData());
   vtkNew<vtkVesicleProbeFilter> probe;
   probe->SetInputData(image(33, 3));
   probe->SetSourceData(sphere);

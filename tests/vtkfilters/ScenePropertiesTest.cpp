@@ -179,7 +179,8 @@ TEST(SceneProperties, NumberTheFlowsAsTheListDoes)
   vtkNew<vtkVesicleStepper> stepper;
   const std::vector<int> numbers{ vtkVesicleStepper::Uniform, vtkVesicleStepper::Shear,
     vtkVesicleStepper::PlanarExtension, vtkVesicleStepper::AxisymmetricExtension,
-    vtkVesicleStepper::Poiseuille, vtkVesicleStepper::Rotation };
+    vtkVesicleStepper::Poiseuille, vtkVesicleStepper::Rotation, vtkVesicleStepper::FourRollMill,
+    vtkVesicleStepper::VelocityField };
   ASSERT_EQ(numbers.size(), flow_kinds().size());
   for (std::size_t i = 0; i < numbers.size(); ++i)
   {

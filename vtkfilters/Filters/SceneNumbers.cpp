@@ -3,6 +3,7 @@
 #include "MeshConversion.h"
 
 #include "solver/Errors.h"
+#include "solver/flow/FieldFlow.h"
 #include "solver/flow/FlowKinds.h"
 #include "solver/flow/FlowNumbers.h"
 #include "solver/scene/SceneNames.h"
@@ -61,6 +62,10 @@ std::shared_ptr<const ImposedFlow> read_flow(vtkFieldData* from)
   if (!(number >= 0 && number <= kinds && number == std::floor(number)))
     throw InputError(
       fmt::format("the surface's field data Flow_Kind is {}; there are 0 to {}", number, kinds));
+  if (number == number_of(FieldFlow::description()))
+    throw InputError(
+      "the surface was in a velocity field of a file, which its data don't hold; add "
+      "that field to what the membrane does in a fluid at rest (Flow_Kind 0)");
   return flow_of(static_cast<int>(number),
     [&](const std::string& parameter, std::span<double> values)
     { read(from, array_name(parameter).c_str(), values.data(), static_cast<int>(values.size())); });
@@ -107,15 +112,16 @@ SurfaceBasis surface_basis(vtkFieldData* from)
   return loop ? SurfaceBasis::loop : SurfaceBasis::linear;
 }
 
-void add_medium(const Scene& scene, vtkFieldData* to)
+void add_medium(const Scene& scene, double time, vtkFieldData* to)
 {
   add_number(to, "Viscosity", scene.fluid.viscosity);
   add_number(to, "Viscosity_Ratio", scene.fluid.viscosity_ratio);
   add_number(to, "Surface_Basis", static_cast<int>(scene.accuracy.basis));
-  add_number(to, "Flow_Kind", scene.flow ? number_of(scene.flow->kind()) : 0);
-  if (!scene.flow)
+  const auto flow = flow_at(imposed_flow(scene), time);
+  add_number(to, "Flow_Kind", flow ? number_of(flow->kind()) : 0);
+  if (!flow)
     return;
-  for (const FlowNumbers& numbers : numbers_of(*scene.flow))
+  for (const FlowNumbers& numbers : numbers_of(*flow))
     to->AddArray(to_array(array_name(numbers.name).c_str(),
       Eigen::Map<const Eigen::RowVectorXd>(
         numbers.values.data(), static_cast<Eigen::Index>(numbers.values.size()))));

@@ -38,8 +38,9 @@ VESICLEFILTERS_EXPORT SurfaceBasis surface_basis(vtkFieldData* from);
 /// The scene's medium as field data: Viscosity; Surface_Basis, 0 linear, 1 Loop; Flow_Kind, 0 at
 /// rest or the number of a kind (flow/FlowKinds.h), and the numbers of the flow
 /// (flow/FlowNumbers.h): Flow_Rate, Flow_Velocity (three components; Poiseuille's on the axis),
-/// Flow_Radius, Flow_Center, Flow_Axis, as far as the kind has them.
-VESICLEFILTERS_EXPORT void add_medium(const Scene& scene, vtkFieldData* to);
+/// Flow_Radius, Flow_Center, Flow_Axis, as far as the kind has them; of a flow with a history those at
+/// the time.
+VESICLEFILTERS_EXPORT void add_medium(const Scene& scene, double time, vtkFieldData* to);
 
 /// What add_medium wrote; nothing else of the scene is set. Throws InputError naming the array that
 /// is missing or makes no sense.

@@ -2,7 +2,9 @@
 
 #include "MeshConversion.h"
 #include "SceneNumbers.h"
+#include "VelocityFieldFile.h"
 
+#include "solver/Joined.h"
 #include "solver/Errors.h"
 #include "solver/mesh/Preparation.h"
 #include "solver/simulation/Simulation.h"
@@ -32,7 +34,7 @@ void solve(const vesicle::Scene& scene, Simulation& simulation, vtkPolyData* out
   vesicle::add_number(to, "Volume", numbers.volume);
   vesicle::add_number(to, "Reduced_Volume", numbers.reduced_volume);
   vesicle::add_number(to, "Bending_Energy", numbers.bending_energy);
-  vesicle::add_medium(scene, to);
+  vesicle::add_medium(scene, 0, to);
 }
 
 }
@@ -52,14 +54,15 @@ int vtkVesicleForceFilter::RequestData(
       vtkWarningMacro(<< "the input has no triangles: there is nothing to solve for");
       return 1;
     }
-    vesicle::Scene scene = this->MakeScene();
+    std::string field_notes;
+    vesicle::Scene scene = vesicle::with_velocity_field(this->MakeScene(), field_notes);
     if (this->BendingForce == Fitted)
     {
       scene.accuracy.bending = vesicle::Scene::Bending::fit;
     }
     vesicle::TriangleMesh mesh = vesicle::to_mesh(output);
     const std::string changes = vesicle::prepare_for_dynamics(mesh, "input");
-    Simulation simulation(scene, std::move(mesh), changes);
+    Simulation simulation(scene, std::move(mesh), vesicle::lines({ changes, field_notes }));
     if (!simulation.notes().empty())
     {
       vtkWarningMacro(<< simulation.notes());

@@ -3,12 +3,14 @@
 #include "SceneNumbers.h"
 
 #include "solver/Errors.h"
+#include "solver/flow/FieldFlow.h"
 #include "solver/flow/FlowKinds.h"
 #include "solver/flow/FlowNumbers.h"
 #include "solver/scene/SceneNames.h"
 #include "solver/scene/SceneSchema.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <string>
 
@@ -78,7 +80,14 @@ std::shared_ptr<const vesicle::ImposedFlow> vtkVesicleSceneAlgorithm::MakeFlow()
 {
   const std::map<std::string, const double*> properties{ { "rate", &this->FlowRate },
     { "velocity", this->FlowVelocity }, { "radius", &this->FlowRadius },
-    { "center", this->FlowCenter }, { "axis", this->FlowAxis } };
+    { "center", this->FlowCenter }, { "axis", this->FlowAxis }, { "type", &this->FlowType } };
+  if (this->FlowKind == VelocityField)
+  {
+    require(this->FlowFile && *this->FlowFile, "FlowKind VelocityField takes a FlowFile");
+    const auto field = std::make_shared<vesicle::FieldFlow>();
+    field->file = std::filesystem::absolute(this->FlowFile).lexically_normal().string();
+    return field;
+  }
   return vesicle::flow_of(this->FlowKind,
     [&](const std::string& parameter, std::span<double> values)
     { std::copy_n(properties.at(parameter), values.size(), values.begin()); });
@@ -102,6 +111,8 @@ void vtkVesicleSceneAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FlowRadius: " << this->FlowRadius << '\n';
   print("FlowCenter", this->FlowCenter);
   print("FlowAxis", this->FlowAxis);
+  os << indent << "FlowType: " << this->FlowType << '\n';
+  os << indent << "FlowFile: " << (this->FlowFile ? this->FlowFile : "(none)") << '\n';
   os << indent << "BondNumber: " << this->BondNumber << '\n';
   os << indent << "DensityDifference: " << this->DensityDifference << '\n';
   os << indent << "Acceleration: " << this->Acceleration << '\n';

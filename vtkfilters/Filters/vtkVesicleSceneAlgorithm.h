@@ -41,7 +41,9 @@ public:
     PlanarExtension,       ///< u = rate (x e_x − z e_z)
     AxisymmetricExtension, ///< u = rate (z e_z − x/2 e_x − y/2 e_y)
     Poiseuille,            ///< u = velocity (1 − d²/radius²), d the distance to the tube's axis
-    Rotation               ///< u = rate axis × x
+    Rotation,              ///< u = rate axis × x
+    FourRollMill,          ///< the plane flow of type α between extension and rotation
+    VelocityField          ///< u of FlowFile
   };
 
   enum Presets
@@ -115,13 +117,13 @@ public:
   /**
    * The flow far away, one of FlowKinds. Default: AtRest.
    */
-  vtkSetClampMacro(FlowKind, int, AtRest, Rotation);
+  vtkSetClampMacro(FlowKind, int, AtRest, VelocityField);
   vtkGetMacro(FlowKind, int);
   ///@}
 
   ///@{
   /**
-   * Rate of Shear, extensions and Rotation, 1 over a time, of any sign. Default: 1.
+   * Rate of Shear, extensions, Rotation and FourRollMill, 1 over a time, of any sign. Default: 1.
    */
   vtkSetMacro(FlowRate, double);
   vtkGetMacro(FlowRate, double);
@@ -163,6 +165,23 @@ public:
 
   ///@{
   /**
+   * α of FourRollMill: 1 planar extension, 0 shear along x = −z, −1 rotation. Default: 1.
+   */
+  vtkSetMacro(FlowType, double);
+  vtkGetMacro(FlowType, double);
+  ///@}
+
+  ///@{
+  /**
+   * The file of VelocityField: points with vectors, .vti .vtr .vts .vtu .vtk, or a .pvd or .series of them, whose
+   * times are those of the run. Default: none.
+   */
+  vtkSetFilePathMacro(FlowFile);
+  vtkGetFilePathMacro(FlowFile);
+  ///@}
+
+  ///@{
+  /**
    * Gravity as Bo = Δρ g r0⁴/EB, no unit; above 0 the vesicle rises along +z. It takes bending. 0:
    * see DensityDifference. Default: 0.
    */
@@ -200,7 +219,7 @@ public:
 
 protected:
   vtkVesicleSceneAlgorithm() = default;
-  ~vtkVesicleSceneAlgorithm() override = default;
+  ~vtkVesicleSceneAlgorithm() override { this->SetFlowFile(nullptr); }
 
 #ifndef __VTK_WRAP__
   /// A scene of these properties. Throws vesicle::InputError.
@@ -220,6 +239,8 @@ protected:
   double FlowRadius = 5;
   double FlowCenter[3] = { 0, 0, 0 };
   double FlowAxis[3] = { 0, 0, 1 };
+  double FlowType = 1;
+  char* FlowFile = nullptr;
   double BondNumber = 0;
   double DensityDifference = 0;
   double Acceleration = 1;

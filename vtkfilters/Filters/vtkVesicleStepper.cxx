@@ -3,9 +3,11 @@
 #include "MeshConversion.h"
 #include "SceneMesh.h"
 #include "SceneNumbers.h"
+#include "VelocityFieldFile.h"
 
 #include "solver/Doing.h"
 #include "solver/Errors.h"
+#include "solver/Joined.h"
 #include "solver/simulation/Simulation.h"
 #include "solver/simulation/SystemOfScene.h"
 #include "solver/scene/SceneFile.h"
@@ -95,6 +97,7 @@ struct vtkVesicleStepper::Internals
   // What the settings above led to.
   Scene CurrentScene;
   std::string PropertiesText; // the scene of the properties as TOML
+  std::string FieldNotes;     // on the scene's velocity field
   vtkMTimeType SceneTime = 0;
   std::unique_ptr<Simulation> Sim;
   std::unique_ptr<vesicle::Trajectory> Path;
@@ -135,6 +138,7 @@ struct vtkVesicleStepper::Internals
     this->Sim.reset();
     std::string notes;
     vesicle::TriangleMesh mesh = this->StartMesh(start, notes);
+    notes = vesicle::lines({ notes, this->FieldNotes });
     this->Sim = std::make_unique<Simulation>(this->CurrentScene, std::move(mesh), notes);
     if (this->GivenState)
     {
@@ -178,7 +182,7 @@ struct vtkVesicleStepper::Internals
     {
       vesicle::add_number(to, name, value);
     }
-    vesicle::add_medium(this->CurrentScene, to);
+    vesicle::add_medium(this->CurrentScene, moment.time, to);
   }
 
   void Deliver(const Moment& moment, vtkPolyData* start, vtkPolyData* output)
@@ -397,6 +401,9 @@ void vtkVesicleStepper::ReadScene()
   internal.CurrentScene = internal.HasScene()
     ? internal.ReadScene()
     : vesicle::parse_scene(internal.PropertiesText, "properties", ".", internal.Overrides);
+  internal.FieldNotes.clear();
+  internal.CurrentScene =
+    vesicle::with_velocity_field(std::move(internal.CurrentScene), internal.FieldNotes);
   internal.SceneTime = internal.Changed;
 }
 

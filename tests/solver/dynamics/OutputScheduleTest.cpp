@@ -47,6 +47,20 @@ TEST(OutputSchedule, CountsOnWhereAMultipleWasHit)
   EXPECT_TRUE(schedule.due(State()));
 }
 
+TEST(OutputSchedule, StopsAtCornersWithoutAnOutput)
+{
+  const OutputSchedule schedule(1, 2.5,
+    [](double t) {
+      return t < 0.3 ? std::optional(0.3) : t < 2 ? std::optional(2.) : std::nullopt;
+    });
+  EXPECT_EQ(schedule.next_stop(at(0, 1)), 0.3);
+  EXPECT_EQ(schedule.next(at(0, 1)), 1.);
+  EXPECT_EQ(schedule.next_stop(at(0.3, 1)), 1.);
+  EXPECT_EQ(schedule.next_stop(at(1, 2)), 2.);
+  EXPECT_EQ(schedule.next_stop(at(2, 3)), 2.5);
+  EXPECT_FALSE(schedule.due(at(0.3, 1)));
+}
+
 TEST(OutputSchedule, ListsTheTimesOfARun)
 {
   const std::vector<double> times{ 0, 0.1, 0.2, 0.25 };

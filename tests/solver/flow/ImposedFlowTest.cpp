@@ -1,4 +1,5 @@
 #include "solver/flow/Extension.h"
+#include "solver/flow/FieldFlow.h"
 #include "solver/flow/FlowKinds.h"
 #include "solver/flow/Poiseuille.h"
 #include "solver/flow/Shear.h"
@@ -20,9 +21,25 @@ Vector3 at(const ImposedFlow& flow, const Vector3& x)
   return flow.velocities(p).row(0).transpose();
 }
 
+struct SomeField final : VelocityField
+{
+  Points velocities(const Points& x, double time) const override
+  {
+    return (2 + time) * x.rowwise().reverse() * Eigen::Vector3d(1, 0, 1).asDiagonal();
+  }
+  double largest_rate() const override { return 1; }
+  const std::vector<double>& times() const override { return times_; }
+  std::vector<double> times_{ 0, 5 };
+};
+
 Vector3 some_value(const Vector3&, const FlowParameter& parameter)
 {
   return parameter.dimension == Dimension::direction ? Vector3(0.6, 0, 0.8) : Vector3(1, 2, 3);
+}
+
+std::string some_value(const std::string&, const FlowParameter&)
+{
+  return "u.vti";
 }
 
 double some_value(double, const FlowParameter& parameter)
@@ -40,6 +57,8 @@ std::vector<std::shared_ptr<const ImposedFlow>> every_flow()
     for (const FlowParameter& parameter : kind->parameters)
       std::visit([&](auto member) { (*flow).*member = some_value((*flow).*member, parameter); },
         parameter.member);
+    if (auto* field = dynamic_cast<FieldFlow*>(flow.get()))
+      field->field = std::make_shared<SomeField>();
     flows.push_back(flow);
   }
   return flows;
@@ -83,6 +102,22 @@ TEST(ImposedFlow, ScalesLikeVelocity)
       << flow->kind().title;
     EXPECT_EQ(&scaled->kind(), &flow->kind());
   }
+}
+
+// In a time of other units, and as strong as the factor says.
+TEST(ImposedFlow, FieldsFollowTheirTimes)
+{
+  FieldFlow flow;
+  flow.field = std::make_shared<SomeField>();
+  const Vector3 x(0.5, -1, 2);
+  EXPECT_EQ(flow.at(3)->velocity_at(x), Vector3(10, 0, 2.5));
+  const auto scaled = flow.dimensionless(2, 8)->times(-3); // a time of 0.25
+  EXPECT_LT((scaled->at(12)->velocity_at(x / 2) - Vector3(-30, 0, -7.5) / 8).norm(), 1e-14);
+  EXPECT_EQ(scaled->next_corner(0), 20.);
+  EXPECT_EQ(scaled->next_corner(20), std::nullopt);
+  EXPECT_EQ(scaled->imposed_rate(), 0.75);
+  EXPECT_FALSE(scaled->settled(1));
+  EXPECT_TRUE(scaled->settled(20));
 }
 
 TEST(ImposedFlow, RateIsThatOnAUnitVesicle)

@@ -1,0 +1,275 @@
+// Vesicles in flows of VTK's files. Linear interpolation has no error where the flow is linear: there a
+// field is the flow itself.
+
+#include "vtkfilters/Filters/VelocityFieldFile.h"
+
+#include "tests/support/TemporaryFolder.h"
+#include "vtkfilters/Filters/MeshConversion.h"
+#include "vtkfilters/Filters/SeriesFile.h"
+#include "vtkfilters/Filters/VtkMessages.h"
+
+#include "solver/Errors.h"
+#include "solver/files/FileBytes.h"
+#include "solver/scene/SceneFile.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSetTriangleFilter.h"
+#include "vtkDataSetWriter.h"
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVesicleForceFilter.h"
+#include "vtkVesicleSource.h"
+#include "vtkVesicleStepper.h"
+#include "vtkXMLImageDataWriter.h"
+#include "vtkXMLUnstructuredGridWriter.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <functional>
+#include <limits>
+
+namespace vesicle::test
+{
+namespace
+{
+
+using std::filesystem::path;
+using Velocity = std::function<Vector3(const Vector3&)>;
+
+Vector3 shear(const Vector3& x)
+{
+  return { 2 * x.z(), 0, 0 };
+}
+
+vtkNew<vtkDoubleArray> vectors(vtkDataSet* at, const Velocity& u)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("U");
+  array->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < at->GetNumberOfPoints(); ++i)
+    array->InsertNextTuple(u(Vector3(at->GetPoint(i))).data());
+  return array;
+}
+
+/// From −4 to 4 in each direction.
+vtkNew<vtkImageData> image(const Velocity& u, int cells = 5)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(cells + 1, cells + 1, cells + 1);
+  image->SetOrigin(-4, -4, -4);
+  const double spacing = 8. / cells;
+  image->SetSpacing(spacing, spacing, spacing);
+  image->GetPointData()->AddArray(vectors(image, u));
+  return image;
+}
+
+template<class Writer>
+path written(vtkDataSet* data, const path& file)
+{
+  vtkNew<Writer> writer;
+  writer->SetInputData(data);
+  writer->SetFileName(file.c_str());
+  writer->Write();
+  return file;
+}
+
+path image_file(const TemporaryFolder& folder, const Velocity& u, const std::string& name = "u.vti")
+{
+  return written<vtkXMLImageDataWriter>(image(u), folder.path() / name);
+}
+
+std::string scene_text(const std::string& flow)
+{
+  return "[vesicle]\nshape = \"prolate\"\nreduced_volume = 0.95\ntriangles = 80\n"
+         "[membrane]\nbending_rigidity = 1.0\n[flow]\n" +
+    flow + "\n[time]\nend = 0.5\noutput_every = 0.5\n";
+}
+
+Points end_in(const std::string& flow)
+{
+  vtkNew<vtkVesicleStepper> stepper;
+  stepper->SetSceneText(scene_text(flow).c_str());
+  stepper->UpdateTimeStep(0.5);
+  return to_mesh(stepper->GetOutput()).points;
+}
+
+std::string field_of(const path& file)
+{
+  return "kind = \"field\"\nfile = \"" + file.string() + "\"";
+}
+
+double largest_difference(const Points& a, const Points& b)
+{
+  return a.rows() == b.rows() ? (a - b).rowwise().norm().maxCoeff()
+                              : std::numeric_limits<double>::infinity();
+}
+
+// Up to what rounding makes of linear solves that end at 1e-7.
+constexpr double solved = 1e-7;
+
+TEST(VelocityField, OfAShearIsTheShear)
+{
+  const TemporaryFolder folder;
+  const Points exact = end_in("kind = \"shear\"\nrate = 2");
+  EXPECT_LT(largest_difference(end_in(field_of(image_file(folder, shear))), exact), solved);
+  // Tetrahedra, in both kinds of file.
+  vtkNew<vtkDataSetTriangleFilter> cut;
+  const auto cells = image(shear);
+  cut->SetInputData(cells);
+  cut->Update();
+  const path xml = written<vtkXMLUnstructuredGridWriter>(cut->GetOutput(), folder.path() / "u.vtu");
+  EXPECT_LT(largest_difference(end_in(field_of(xml)), exact), solved);
+  const path legacy = written<vtkDataSetWriter>(cut->GetOutput(), folder.path() / "u.vtk");
+  EXPECT_LT(largest_difference(end_in(field_of(legacy)), exact), 1e-6); // written with 6 digits
+}
+
+TEST(VelocityField, HasTheRateOfItsGradient)
+{
+  const TemporaryFolder folder;
+  std::string notes;
+  EXPECT_NEAR(read_velocity_field(image_file(folder, shear), notes)->largest_rate(), 2, 1e-12);
+  EXPECT_EQ(notes, "");
+}
+
+TEST(VelocityField, OfCellsIsBroughtToThePoints)
+{
+  const TemporaryFolder folder;
+  const auto cells = image([](const Vector3&) { return Vector3(1, 2, 3); });
+  vtkNew<vtkDoubleArray> velocity;
+  velocity->SetName("velocity");
+  velocity->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+    velocity->InsertNextTuple3(1, 2, 3);
+  cells->GetPointData()->Initialize();
+  cells->GetCellData()->AddArray(velocity);
+  std::string notes;
+  const auto field =
+    read_velocity_field(written<vtkXMLImageDataWriter>(cells, folder.path() / "c.vti"), notes);
+  EXPECT_LT((field->velocities(Points::Random(9, 3), 0).rowwise() - Eigen::RowVector3d(1, 2, 3))
+              .rowwise()
+              .norm()
+              .maxCoeff(),
+    1e-12);
+}
+
+path series_file(const TemporaryFolder& folder)
+{
+  std::vector<SeriesFrame> frames;
+  for (const double time : { 0.1, 0.3 })
+  {
+    const std::string name = time < 0.2 ? "a.vti" : "b.vti";
+    const double factor = time < 0.2 ? 1 : -3;
+    image_file(
+      folder, [=](const Vector3& x) -> Vector3 { return factor * shear(x); }, name);
+    frames.push_back({ time, name });
+  }
+  const path file = folder.path() / "u.pvd";
+  std::ofstream(file) << pvd_text(frames);
+  return file;
+}
+
+// Linear between the files' times, constant before and after: what a history says, too.
+TEST(VelocityField, OfASeriesFollowsItsTimes)
+{
+  const TemporaryFolder folder;
+  const Points exact = end_in("kind = \"shear\"\nrate = 2\nhistory = [[0.1, 1], [0.3, -3]]");
+  EXPECT_LT(largest_difference(end_in(field_of(series_file(folder))), exact), solved);
+}
+
+TEST(VelocityField, CanHaveAHistoryToo)
+{
+  const TemporaryFolder folder;
+  const std::string history = "\nhistory = [[0, 1], [0.2, 1], [0.2, 0]]";
+  const Points exact = end_in("kind = \"shear\"\nrate = 2" + history);
+  EXPECT_LT(
+    largest_difference(end_in(field_of(image_file(folder, shear)) + history), exact), solved);
+}
+
+TEST(VelocityField, IsAPropertyOfTheFilters)
+{
+  const TemporaryFolder folder;
+  const path file = image_file(folder, shear);
+  vtkNew<vtkVesicleSource> source;
+  source->SetTriangles(80);
+  vtkNew<vtkVesicleForceFilter> filter;
+  filter->SetInputConnection(source->GetOutputPort());
+  filter->SetBendingRigidity(0);
+  filter->IncompressibleOff();
+  filter->SetFlowKind(vtkVesicleForceFilter::VelocityField);
+  filter->SetFlowFile(file.c_str());
+  filter->Update();
+  vtkPolyData* output = filter->GetOutput();
+  ASSERT_GT(output->GetNumberOfPoints(), 0);
+  for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
+  {
+    double u[3];
+    output->GetPointData()->GetArray("Velocity")->GetTuple(i, u);
+    EXPECT_LT((Vector3(u) - shear(Vector3(output->GetPoint(i)))).norm(), 1e-9);
+  }
+}
+
+TEST(VelocityField, LeftIsToldWithThePlace)
+{
+  const TemporaryFolder folder;
+  const path file = image_file(folder, [](const Vector3&) { return Vector3(20, 0, 0); });
+  const VtkMessages messages;
+  end_in(field_of(file));
+  EXPECT_NE(
+    messages.first_error().find("isn't in the velocity field " + file.string()), std::string::npos)
+    << messages.first_error();
+}
+
+TEST(VelocityField, TellsWhatDoesNotConserveVolume)
+{
+  const TemporaryFolder folder;
+  std::string notes;
+  read_velocity_field(image_file(folder, [](const Vector3& x) -> Vector3 { return x; }), notes);
+  EXPECT_NE(notes.find("divergence"), std::string::npos) << notes;
+}
+
+std::string refusal(const path& file)
+{
+  std::string notes;
+  try
+  {
+    read_velocity_field(file, notes);
+  }
+  catch (const InputError& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(VelocityField, RefusesWhatIsNone)
+{
+  const TemporaryFolder folder;
+  EXPECT_NE(refusal(folder.path() / "none.vti").find("can't be read"), std::string::npos);
+  EXPECT_NE(
+    refusal(folder.path() / "u.png").find("no file of a velocity field"), std::string::npos);
+  const path file = image_file(folder, shear);
+  const std::string whole = read_file(file);
+  std::ofstream(folder.path() / "cut.vti") << whole.substr(0, whole.size() / 2);
+  EXPECT_NE(refusal(folder.path() / "cut.vti"), "");
+  auto two = image(shear);
+  vtkNew<vtkDoubleArray> other;
+  other->DeepCopy(two->GetPointData()->GetArray(0));
+  other->SetName("W");
+  two->GetPointData()->AddArray(other);
+  const std::string which = refusal(written<vtkXMLImageDataWriter>(two, folder.path() / "two.vti"));
+  EXPECT_NE(which.find("U, W"), std::string::npos) << which;
+  two->GetPointData()->SetActiveVectors("W");
+  EXPECT_EQ(refusal(written<vtkXMLImageDataWriter>(two, folder.path() / "two.vti")), "");
+  auto bad = image(shear);
+  bad->GetPointData()->GetArray(0)->SetComponent(7, 1, std::nan(""));
+  EXPECT_NE(refusal(written<vtkXMLImageDataWriter>(bad, folder.path() / "nan.vti")).find("point 7"),
+    std::string::npos);
+}
+
+}
+}
