@@ -85,7 +85,8 @@ TEST(SceneOverrides, MistakesNameTheOverride)
   EXPECT_EQ(error_with({ "fluid.viscosity=-1" }),
     "--set fluid.viscosity=-1: key 'fluid.viscosity': can't be -1; allowed: a number > 0");
   EXPECT_EQ(error_with({ "flow.rte=1" }),
-    "--set flow.rte=1: key 'flow.rte': unknown key, did you mean 'rate'?; allowed: kind, rate");
+    "--set flow.rte=1: key 'flow.rte': unknown key, did you mean 'rate'?; allowed: kind, rate, "
+    "history, period, angular_frequency");
   EXPECT_EQ(error_with({ "gravty.bond_number=1" })
               .find("--set gravty.bond_number=1: key 'gravty': unknown "
                     "table, did you mean [gravity]?; allowed: "),
