@@ -22,7 +22,9 @@ DoubleLayer::DoubleLayer(const StokesOperator& layer, const std::vector<double>&
     const LayerSurface& surface = layer.surface(s);
     Source source{ &surface.rules->regular().table,
       double_layer_factor * at.weight.asDiagonal() * at.surface.cross.rowwise().normalized(),
-      layer.first_vertex(s), points_, layer.double_layer_corrections(s), factors[s], {} };
+      layer.first_vertex(s), points_, layer.double_layer_corrections(s), {}, factors[s], {} };
+    if (layer.surfaces() > 1)
+      source.near = layer.near_surface_corrections(s, LayerKernel::stresslet);
     const int own = surface.rules->vertices();
     source.own = layer.surfaces() == 1
       ? own_blocks(source, *sum_, own)
@@ -73,8 +75,10 @@ Eigen::VectorXd DoubleLayer::apply(const std::vector<Eigen::VectorXd>& nodal,
   for (std::size_t s = 0; s < sources_.size(); ++s)
   {
     const Source& source = sources_[s];
-    source.corrections.add(
-      double_layer_factor * source.factor * nodal[s], source.first_vertex, result);
+    const Eigen::VectorXd scaled = double_layer_factor * source.factor * nodal[s];
+    source.corrections.add(scaled, source.first_vertex, result);
+    if (source.near)
+      source.near->add(scaled, result);
     for (Eigen::Index i = 0; i < source.own.rows() / 3; ++i)
       result.row(source.first_vertex + i) += source.factor *
         (source.own.middleRows<3>(3 * i) * at_vertices.segment<3>(3 * (source.first_vertex + i)))

@@ -35,6 +35,8 @@ private:
     RowVectors normal;             ///< at the table's rows: 3/4π n dS
     int first_vertex, first_point; ///< among all
     LayerCorrections corrections;
+    std::optional<NearSurfaceCorrections>
+      near; ///< at other surfaces' vertices, where there are any
     double factor;
     RowVectors
       own; ///< ½ − the rules' K of constants at its vertices: 3 by 3 each, one below the other

@@ -24,6 +24,15 @@ Vector3 stokeslet(const Vector3& X, const Vector3& f)
   return over_r * f + (over_r * over_r * over_r * X.dot(f)) * X;
 }
 
+// Of `count` points from `first` on, ascending.
+std::vector<int> panels_near_any(const AdjacencyList& near, int first, int count)
+{
+  std::vector<int> panels(near.begin(first), near.end(first + count - 1));
+  std::sort(panels.begin(), panels.end());
+  panels.erase(std::unique(panels.begin(), panels.end()), panels.end());
+  return panels;
+}
+
 }
 
 FlowField::FlowField(SurfacePanels panels) : panels_(std::move(panels))
@@ -58,15 +67,16 @@ Vector3 FlowField::near_velocity(
   return kernel_factor * velocity;
 }
 
-void FlowField::at_group(const Points& points, int first, int count, Flow& flow) const
+void FlowField::at_group(
+  const Points& points, const AdjacencyList& near, int first, int count, Flow& flow) const
 {
   std::array<double, 3 * lanes> targets;
   for (int lane = 0; lane < lanes; ++lane)
     for (int c = 0; c < 3; ++c)
       targets[c * lanes + lane] = points(first + std::min(lane, count - 1), c);
 
-  std::array<Vector3, lanes> near;
-  near.fill(Vector3::Zero());
+  std::array<Vector3, lanes> velocity;
+  velocity.fill(Vector3::Zero());
   std::array<double, lanes> least, side;
   least.fill(INFINITY);
   const ForceSources sources{ { position_.col(0).data(), position_.col(1).data(),
@@ -77,21 +87,15 @@ void FlowField::at_group(const Points& points, int first, int count, Flow& flow)
   std::array<double, lanes> all;
   all.fill(1);
   int row = 0;
-  for (int panel = 0; panel < panels_.size(); ++panel)
+  for (const int panel : panels_near_any(near, first, count))
   {
-    std::array<double, lanes> mask;
-    const Vector3& center = panels_.center(panel);
-    const double radius = near_panel_radii * panels_.radius(panel);
-    double far = lanes;
+    std::array<double, lanes> mask = all;
     for (int lane = 0; lane < lanes; ++lane)
     {
-      const double x = targets[lane] - center.x(), y = targets[lanes + lane] - center.y(),
-                   z = targets[2 * lanes + lane] - center.z();
-      mask[lane] = x * x + y * y + z * z < radius * radius ? 0 : 1;
-      far += mask[lane] - 1;
+      const int i = first + std::min(lane, count - 1);
+      if (std::binary_search(near.begin(i), near.end(i), panel))
+        mask[lane] = 0;
     }
-    if (far == lanes)
-      continue;
     // The rows up to here are far from all.
     const int begin = panel * rows_per_panel_, end = begin + rows_per_panel_;
     add_velocities(sources, row, begin, targets.data(), all.data(), sum.data());
@@ -103,7 +107,7 @@ void FlowField::at_group(const Points& points, int first, int count, Flow& flow)
         continue;
       const Vector3 x = points.row(first + lane).transpose();
       const SurfacePanels::Frame nearest = panels_.nearest(panel, x);
-      near[lane] += near_velocity(panel, nearest, x);
+      velocity[lane] += near_velocity(panel, nearest, x);
       const Vector3 away = x - nearest.position;
       if (away.norm() < least[lane])
       {
@@ -117,7 +121,7 @@ void FlowField::at_group(const Points& points, int first, int count, Flow& flow)
 
   for (int lane = 0; lane < count; ++lane)
   {
-    flow.velocity.row(first + lane) = near[lane].transpose();
+    flow.velocity.row(first + lane) = velocity[lane].transpose();
     for (int c = 0; c < 3; ++c)
       flow.velocity(first + lane, c) += sum[c * lanes + lane];
     // Near the surface by the side of the nearest point; elsewhere by the solid angle, 4π or 0.
@@ -131,8 +135,10 @@ FlowField::Flow FlowField::at(const Points& points) const
 {
   const int n = static_cast<int>(points.rows());
   Flow flow{ Points(n, 3), std::vector<unsigned char>(n) };
+  const AdjacencyList near = near_panels(panels_, points);
   parallel_for((n + lanes - 1) / lanes,
-    [&](int group) { at_group(points, group * lanes, std::min(lanes, n - group * lanes), flow); });
+    [&](int group)
+    { at_group(points, near, group * lanes, std::min(lanes, n - group * lanes), flow); });
   return flow;
 }
 

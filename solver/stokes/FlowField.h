@@ -2,6 +2,7 @@
 // The Stokes flow that a surface's forces make anywhere in the fluid: inside and outside, right up
 // to the surface and on it.
 
+#include "solver/mesh/Connectivity.h"
 #include "solver/stokes/SurfacePanels.h"
 
 #include <vector>
@@ -37,7 +38,8 @@ public:
 private:
   /// Velocity by the panel's own rule for x.
   Vector3 near_velocity(int panel, const SurfacePanels::Frame& nearest, const Vector3& x) const;
-  void at_group(const Points& points, int first, int count, Flow& flow) const;
+  void at_group(
+    const Points& points, const AdjacencyList& near, int first, int count, Flow& flow) const;
 
   SurfacePanels panels_;
   // The fixed rule's rows, the same number for each panel.

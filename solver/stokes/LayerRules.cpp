@@ -90,7 +90,8 @@ LayerQuadrature layer_quadrature(const Basis& basis, int regular)
 }
 
 LayerRules::LayerRules(const Basis& basis, const LayerQuadrature& quadrature)
-  : regular_(element_rule(basis, quadrature.regular, quadrature.graded))
+  : regular_(element_rule(basis, quadrature.regular, quadrature.graded)),
+    panels_(std::make_unique<const LazyPanelBasis>(basis))
 {
   const Connectivity connectivity(basis.elements(), basis.nodes());
   touching_ = connectivity.vertex_triangles;

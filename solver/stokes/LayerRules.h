@@ -2,11 +2,13 @@
 // The quadrature of the single layer collocated at a mesh's vertices: rules on all elements, and
 // their sparse corrections near and at the targets. Made once for all shapes of a mesh.
 
-#include "solver/mesh/TriangleMesh.h"
-#include "solver/surface/Basis.h"
 #include "solver/mesh/Connectivity.h"
+#include "solver/mesh/TriangleMesh.h"
+#include "solver/stokes/PanelBasis.h"
+#include "solver/surface/Basis.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace vesicle
@@ -35,6 +37,7 @@ LayerQuadrature layer_quadrature(const Basis& basis, int regular);
 class LayerRules
 {
 public:
+  /// Where there are several surfaces the basis must outlive the rules.
   LayerRules(const Basis& basis, const LayerQuadrature& quadrature);
 
   /// Points of a rule; those of item i (element or vertex) are rows start[i] to start[i + 1].
@@ -68,12 +71,16 @@ public:
   };
   const std::vector<Group>& groups() const { return groups_; }
 
+  /// What rules for targets near the surface are made of, on another one (NearSurfaceCorrections.h).
+  const PanelBasis& panels() const { return panels_->get(); }
+
 private:
   Group group_of(std::vector<int> targets) const;
 
   Rule regular_, near_, singular_;
   AdjacencyList touching_, close_;
   std::vector<Group> groups_;
+  std::unique_ptr<const LazyPanelBasis> panels_;
 };
 
 }

@@ -18,7 +18,9 @@ LayerSum::LayerSum(const StokesOperator& layer, const MakePointSum& make_sum)
   {
     const Eigen::VectorXd& weight = layer.regular_points(s).weight;
     sources_.push_back({ &layer.surface(s).rules->regular().table, weight, layer.first_vertex(s),
-      points_, layer.corrections(s) });
+      points_, layer.corrections(s), {} });
+    if (layer.surfaces() > 1)
+      sources_.back().near = layer.near_surface_corrections(s, LayerKernel::stokeslet);
     points_ += static_cast<int>(weight.size());
   }
 }
@@ -34,7 +36,11 @@ Eigen::VectorXd LayerSum::apply(
   Points velocity = Points::Zero(vertices_, 3);
   sum_->add(forces, precision, velocity);
   for (std::size_t s = 0; s < sources_.size(); ++s)
+  {
     sources_[s].corrections.add(densities[s], sources_[s].first_vertex, velocity);
+    if (sources_[s].near)
+      sources_[s].near->add(densities[s], velocity);
+  }
   return velocity.reshaped<Eigen::RowMajor>();
 }
 

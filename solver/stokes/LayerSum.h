@@ -1,13 +1,14 @@
 #pragma once
 // The single layer between the nodes of all surfaces and the vertices of all, applied without its
 // matrix: densities at the points of the regular rules, a sum over all pairs of points and vertices,
-// and sparse corrections near and at each surface's own vertices.
+// and sparse corrections near and at each surface's own vertices and near other surfaces.
 
 #include "solver/stokes/PointSum.h"
 #include "solver/stokes/StokesOperator.h"
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace vesicle
 {
@@ -36,6 +37,8 @@ private:
     Eigen::VectorXd weight;        ///< of the table's rows; contains dS/8πμ
     int first_vertex, first_point; ///< among all
     LayerCorrections corrections;
+    std::optional<NearSurfaceCorrections>
+      near; ///< at other surfaces' vertices, where there are any
   };
   std::vector<Source> sources_;
   std::unique_ptr<const PointSum> sum_;

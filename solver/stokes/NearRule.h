@@ -3,6 +3,7 @@
 // nearest point x*, with ρ = d sinh t, d = |x − x*|, which takes a peak of width d out of the
 // integrand (FlowField.h has the sources).
 
+#include "solver/mesh/Connectivity.h"
 #include "solver/stokes/SurfacePanels.h"
 
 #include <Eigen/LU>
@@ -18,6 +19,9 @@ namespace vesicle
 /// does.
 inline constexpr int fixed_panel_points = 12;
 inline constexpr double near_panel_radii = 2.5;
+
+/// The panels near each point, ascending.
+AdjacencyList near_panels(const SurfacePanels& panels, const Points& points);
 
 /// Gauss points for an integrand that is smooth over a unit length of the transformed variable.
 const GaussRule& near_gauss_rule(double length);

@@ -44,20 +44,7 @@ PanelContrast::PanelContrast(const SurfacePanels& panels) : panels_(panels)
     }
 }
 
-std::vector<int> PanelContrast::near_panels(const Vector3& x) const
-{
-  std::vector<int> near;
-  for (int panel = 0; panel < panels_.size(); ++panel)
-  {
-    const double reach = near_panel_radii * panels_.radius(panel);
-    if ((x - panels_.center(panel)).squaredNorm() < reach * reach)
-      near.push_back(panel);
-  }
-  return near;
-}
-
-Vector3 PanelContrast::near_surface(
-  const Vector3& x, const std::vector<int>& near, bool inside) const
+Vector3 PanelContrast::near_surface(const Vector3& x, std::span<const int> near, bool inside) const
 {
   std::vector<SurfacePanels::Frame> nearest;
   std::size_t closest = 0;
@@ -97,11 +84,10 @@ Vector3 PanelContrast::near_surface(
 Points PanelContrast::at(const Points& points, const std::vector<unsigned char>& inside) const
 {
   const auto n = static_cast<int>(points.rows());
-  std::vector<std::vector<int>> near(n);
-  parallel_for(n, [&](int i) { near[i] = near_panels(points.row(i).transpose()); });
+  const AdjacencyList near = near_panels(panels_, points);
   std::vector<int> far_points;
   for (int i = 0; i < n; ++i)
-    if (near[i].empty())
+    if (near.size(i) == 0)
       far_points.push_back(i);
   Points result(n, 3);
   if (!far_points.empty())
@@ -114,9 +100,10 @@ Points PanelContrast::at(const Points& points, const std::vector<unsigned char>&
   parallel_for(n,
     [&](int i)
     {
-      if (!near[i].empty())
+      if (near.size(i) > 0)
         result.row(i) =
-          near_surface(points.row(i).transpose(), near[i], inside[i] != 0).transpose();
+          near_surface(points.row(i).transpose(), { near.begin(i), near.end(i) }, inside[i] != 0)
+            .transpose();
     });
   return result;
 }

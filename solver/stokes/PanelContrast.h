@@ -3,6 +3,7 @@
 
 #include "solver/stokes/SurfacePanels.h"
 
+#include <span>
 #include <vector>
 
 namespace vesicle
@@ -22,8 +23,7 @@ public:
   Points at(const Points& points, const std::vector<unsigned char>& inside) const;
 
 private:
-  Vector3 near_surface(const Vector3& x, const std::vector<int>& near, bool inside) const;
-  std::vector<int> near_panels(const Vector3& x) const;
+  Vector3 near_surface(const Vector3& x, std::span<const int> near, bool inside) const;
 
   const SurfacePanels& panels_;
   int rows_per_panel_;

@@ -122,6 +122,8 @@ StokesOperator::StokesOperator(std::vector<LayerSurface> surfaces)
       LayerPoints(s.rules->near().table, s.control),
       LayerPoints(s.rules->singular().table, s.control) });
   }
+  if (surfaces_.size() > 1)
+    near_ = near_vertices(surfaces_);
 }
 
 RuleSources<StokesletSources> StokesOperator::node_sources(int source) const
@@ -142,6 +144,9 @@ void StokesOperator::for_each_group(int source, Write write) const
   const RuleSources<StokesletSources> sources = node_sources(source);
   std::vector<int> place(rules.vertices()); // of each node, its own
   std::iota(place.begin(), place.end(), 0);
+  std::optional<NearSurfaceCorrections> near;
+  if (surfaces_.size() > 1)
+    near = near_surface_corrections(source, LayerKernel::stokeslet);
   for (int s = 0; s < static_cast<int>(surfaces_.size()); ++s)
     parallel_for(static_cast<int>(surfaces_[s].rules->groups().size()),
       [&](int number)
@@ -157,7 +162,16 @@ void StokesOperator::for_each_group(int source, Write write) const
         if (s == source)
           add_own_rows(group, rules, sources, add);
         else
+        {
           add(sources.regular, 0, rules.regular().start.back(), all_lanes);
+          for (std::size_t lane = 0; lane < group.target.size(); ++lane)
+            near->for_each_node(first_[s] + group.target[lane],
+              [&](int node, const double* block)
+              {
+                for (int c = 0; c < stokeslet_components; ++c)
+                  sum[static_cast<std::size_t>(node) * stride + c * lanes + lane] += block[c];
+              });
+        }
         write(first_[s], group, sum.data());
       });
 }
@@ -317,6 +331,13 @@ LayerCorrections StokesOperator::corrections(
 LayerCorrections StokesOperator::corrections(int source) const
 {
   return corrections(source, node_sources(source), add_stokeslets);
+}
+
+NearSurfaceCorrections StokesOperator::near_surface_corrections(
+  int source, LayerKernel kernel) const
+{
+  const auto& [regular, near, singular] = points_[source];
+  return { { *surfaces_[source].rules, regular, near }, targets(), near_[source], kernel };
 }
 
 LayerCorrections StokesOperator::double_layer_corrections(int source) const

@@ -6,6 +6,7 @@
 #include "solver/stokes/ForceDensity.h"
 #include "solver/stokes/LayerCorrections.h"
 #include "solver/stokes/LayerRules.h"
+#include "solver/stokes/NearSurfaceCorrections.h"
 
 #include <span>
 #include <vector>
@@ -55,7 +56,8 @@ public:
   int vertices() const { return first_.back(); }
 
   /// The velocities that force densities make, one for each surface: 3N. The direct sum over the
-  /// regular rules of all surfaces, then the corrections near and at each surface's own vertices.
+  /// regular rules of all surfaces, then the corrections near and at each surface's own vertices. There
+  /// are none for surfaces near each other: their densities have to be nodal.
   Eigen::VectorXd apply(std::span<const ForceDensity> densities) const;
 
   /// The velocities that each density of surface `source` makes at all vertices: 3N by their
@@ -68,6 +70,9 @@ public:
   LayerCorrections corrections(int source) const;
   /// The same of the double layer, whose kernel is X X (X·n)/8π r⁵ here (DoubleLayer.h).
   LayerCorrections double_layer_corrections(int source) const;
+  /// What finer rules add to a source's regular one at vertices of other surfaces near it. Only where
+  /// there are several surfaces.
+  NearSurfaceCorrections near_surface_corrections(int source, LayerKernel kernel) const;
   int surfaces() const { return static_cast<int>(surfaces_.size()); }
   const LayerSurface& surface(int source) const { return surfaces_[source]; }
   int first_vertex(int source) const { return first_[source]; }
@@ -89,8 +94,9 @@ private:
     LayerPoints regular, near, singular;
   };
   std::vector<LayerSurface> surfaces_;
-  std::vector<Rules> points_; ///< of each surface
-  std::vector<int> first_;    ///< first vertex of each surface, and the number of all
+  std::vector<Rules> points_;      ///< of each surface
+  std::vector<int> first_;         ///< first vertex of each surface, and the number of all
+  std::vector<NearVertices> near_; ///< of each surface where there are several
 };
 
 /// y = A(:, first:) x over x.size() columns; rows in parallel, each summed in a fixed order.

@@ -1,8 +1,7 @@
 #include "solver/stokes/SurfacePanels.h"
 
 #include "solver/mesh/TriangleTree.h"
-
-#include <Eigen/LU>
+#include "solver/stokes/PanelPolynomials.h"
 
 #include <algorithm>
 
@@ -12,8 +11,6 @@ namespace vesicle
 namespace
 {
 
-constexpr int smooth_degree = 4;
-constexpr int max_terms = (smooth_degree + 1) * (smooth_degree + 2) / 2;
 // Levels of halving towards extraordinary vertices, where the tension force goes with a curvature
 // that isn't smooth.
 constexpr int grading = 4;
@@ -24,55 +21,6 @@ constexpr int max_sweeps = 12;
 // The sphere around a panel's corners and mid-sides holds the rest with this margin.
 constexpr double sphere_margin = 1.05;
 
-/// Monomials u^i v^j of total degree 0, 1, …, and their derivatives.
-struct Monomials
-{
-  double value[max_terms], du[max_terms], dv[max_terms];
-
-  Monomials(int degree, double u, double v)
-  {
-    double power_u[smooth_degree + 1] = { 1 }, power_v[smooth_degree + 1] = { 1 };
-    for (int i = 1; i <= degree; ++i)
-    {
-      power_u[i] = power_u[i - 1] * u;
-      power_v[i] = power_v[i - 1] * v;
-    }
-    int term = 0;
-    for (int d = 0; d <= degree; ++d)
-      for (int j = 0; j <= d; ++j, ++term)
-      {
-        const int i = d - j;
-        value[term] = power_u[i] * power_v[j];
-        du[term] = i > 0 ? i * power_u[i - 1] * power_v[j] : 0;
-        dv[term] = j > 0 ? j * power_u[i] * power_v[j - 1] : 0;
-      }
-  }
-};
-
-/// Nodes inside the triangle, away from the corners, where second derivatives may not exist. The
-/// weights are 1: a rule of them tells the share of the element's domain that a panel has.
-std::vector<TrianglePoint> interpolation_nodes(int degree)
-{
-  constexpr double inset = 0.4; // of the distance between two nodes
-  std::vector<TrianglePoint> nodes;
-  for (int i = 0; i <= degree; ++i)
-    for (int j = 0; i + j <= degree; ++j)
-      nodes.push_back(
-        { (i + inset) / (degree + 3 * inset), (j + inset) / (degree + 3 * inset), 1 });
-  return nodes;
-}
-
-/// Coefficients = this · values at the nodes.
-Eigen::MatrixXd interpolation_matrix(const std::vector<TrianglePoint>& nodes, int degree)
-{
-  const auto n = static_cast<Eigen::Index>(nodes.size());
-  Eigen::MatrixXd values(n, n);
-  for (Eigen::Index i = 0; i < n; ++i)
-    values.row(i) =
-      Eigen::Map<const Eigen::RowVectorXd>(Monomials(degree, nodes[i].u, nodes[i].v).value, n);
-  return values.inverse();
-}
-
 }
 
 SurfacePanels::SurfacePanels(
@@ -80,7 +28,7 @@ SurfacePanels::SurfacePanels(
   : components_(velocity.rows() > 0 ? 9 : 6)
 {
   const bool smooth = basis.smooth();
-  degree_ = smooth ? smooth_degree : 1;
+  degree_ = smooth ? smooth_panel_degree : 1;
   const std::vector<TrianglePoint> nodes = interpolation_nodes(degree_);
   terms_ = static_cast<int>(nodes.size());
   const BasisTable table = basis.tabulate(basis.rule(nodes, smooth ? grading : 0));
@@ -98,16 +46,38 @@ SurfacePanels::SurfacePanels(
       coefficients_.data() + static_cast<long>(first) * components_, terms_, components_) =
       to_coefficients * values.middleRows(first, terms_);
 
-  const int panels = table.rows() / terms_;
+  find_spheres(table.rows() / terms_);
+}
+
+SurfacePanels::SurfacePanels(const PanelBasis& basis, const Points& control)
+  : degree_(basis.degree()), terms_(basis.terms()), components_(3)
+{
+  coefficients_.resize(static_cast<std::size_t>(basis.size()) * terms_ * components_);
+  for (int element = 0; element < basis.elements(); ++element)
+  {
+    const std::span<const int> nodes = basis.nodes(element);
+    Eigen::Matrix<double, Eigen::Dynamic, 3> at(nodes.size(), 3);
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      at.row(static_cast<Eigen::Index>(k)) = control.row(nodes[k]);
+    for (int panel = basis.first(element); panel < basis.first(element + 1); ++panel)
+      Eigen::Map<Points>(coefficients_.data() + static_cast<long>(panel) * terms_ * components_,
+        terms_, 3) = basis.coefficients(panel) * at;
+  }
+  find_spheres(basis.size());
+}
+
+void SurfacePanels::find_spheres(int panels)
+{
+  center_.resize(panels);
   radius_.resize(panels); // sets size()
   for (int panel = 0; panel < panels; ++panel)
   {
-    const Vector3 middle = sample(panel, 1. / 3, 1. / 3).position;
+    const Vector3 middle = frame(panel, 1. / 3, 1. / 3).position;
     double radius = 0;
     for (const auto& [u, v] : { std::array{ 0., 0. }, std::array{ 1., 0. }, std::array{ 0., 1. },
            std::array{ 0.5, 0. }, std::array{ 0., 0.5 }, std::array{ 0.5, 0.5 } })
-      radius = std::max(radius, (sample(panel, u, v).position - middle).norm());
-    center_.push_back(middle);
+      radius = std::max(radius, (frame(panel, u, v).position - middle).norm());
+    center_[panel] = middle;
     radius_[panel] = sphere_margin * radius;
   }
 }

@@ -4,6 +4,7 @@
 // target.
 
 #include "solver/stokes/ForceDensity.h"
+#include "solver/stokes/PanelBasis.h"
 
 namespace vesicle
 {
@@ -18,6 +19,8 @@ public:
   /// `velocity`: at the nodes, interpolated as the position is; or empty.
   SurfacePanels(const Basis& basis, const Points& control, const ForceDensity& density,
     const Points& velocity = {});
+  /// The geometry alone, on the panels of `basis`.
+  SurfacePanels(const PanelBasis& basis, const Points& control);
 
   int size() const { return static_cast<int>(radius_.size()); }
   /// A sphere that holds the panel.
@@ -30,6 +33,7 @@ public:
     Vector3 position;
     Vector3 force; ///< f |x_u × x_v|: force an area of the parametric domain
   };
+  /// Where there is a density.
   Sample sample(int panel, double u, double v) const;
   bool has_velocity() const { return components_ > 6; }
   /// Where there is one: the velocity, and n dS/(du dv).
@@ -50,9 +54,20 @@ public:
   /// Where the panel is nearest to x.
   Frame nearest(int panel, const Vector3& x) const;
 
+  int degree() const { return degree_; }
+  /// Of the position's monomials: x, y, z of each, coefficient_stride() numbers apart.
+  const double* coefficients(int panel) const
+  {
+    return coefficients_.data() + static_cast<long>(panel) * terms_ * components_;
+  }
+  int coefficient_stride() const { return components_; }
+
 private:
+  void find_spheres(int panels);
+
   int degree_, terms_, components_;
-  std::vector<double> coefficients_; ///< of each panel, term: x, y, z, force x, y, z, u, v, w
+  /// Of each panel, term: x, y, z, and, where they are known, force x, y, z, u, v, w.
+  std::vector<double> coefficients_;
   std::vector<Vector3> center_;
   std::vector<double> radius_;
 };

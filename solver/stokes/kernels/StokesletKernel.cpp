@@ -47,6 +47,18 @@ void multiply_stokeslets(const double* sum, int nodes, const double* vectors, do
   loops().multiply_stokeslets(sum, nodes, vectors, velocities);
 }
 
+void add_stokeslet_moments(
+  const PanelPoints& points, const PanelShape& panel, const double* target, double* sum)
+{
+  loops().add_stokeslet_moments(points, panel, target, sum);
+}
+
+void add_stresslet_moments(
+  const PanelPoints& points, const PanelShape& panel, const double* target, double* sum)
+{
+  loops().add_stresslet_moments(points, panel, target, sum);
+}
+
 void add_velocities(const ForceSources& sources, int begin, int end, const double* targets,
   const double* mask, double* sum)
 {

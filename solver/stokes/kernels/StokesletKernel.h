@@ -48,6 +48,29 @@ void add_stresslets(const StressletSources& sources, int begin, int end, const d
 /// velocities of the lanes, x, y, z (3 · lanes).
 void multiply_stokeslets(const double* sum, int nodes, const double* vectors, double* velocities);
 
+/// Points of a panel: its coordinates, and weights of du dv. `count` is a multiple of
+/// stokeslet_lanes; a weight of 0 fills up.
+struct PanelPoints
+{
+  const double *u, *v, *weight;
+  int count;
+};
+/// A panel's position: coefficients of the monomials (PanelPolynomials.h) of degree 1 or 4, x, y, z
+/// of each, `stride` numbers apart.
+struct PanelShape
+{
+  const double* coefficients;
+  int degree, stride;
+};
+
+/// Σ weight · m_t · G dS/8πμ over the points, of every monomial m_t of the panel, is added to
+/// sum[6 t + component], xx, xy, xz, yy, yz, zz; X from the target (x, y, z) to the point.
+void add_stokeslet_moments(
+  const PanelPoints& points, const PanelShape& panel, const double* target, double* sum);
+/// The same of X Xᵀ (X·n)/r⁵.
+void add_stresslet_moments(
+  const PanelPoints& points, const PanelShape& panel, const double* target, double* sum);
+
 /// Source points with a known force.
 struct ForceSources : StokesletSources
 {

@@ -14,6 +14,10 @@ struct StokesletLoops
     const double* mask, const int* place, double* sum);
   void (*multiply_stokeslets)(
     const double* sum, int nodes, const double* vectors, double* velocities);
+  void (*add_stokeslet_moments)(
+    const PanelPoints& points, const PanelShape& panel, const double* target, double* sum);
+  void (*add_stresslet_moments)(
+    const PanelPoints& points, const PanelShape& panel, const double* target, double* sum);
   void (*add_velocities)(const ForceSources& sources, int begin, int end, const double* targets,
     const double* mask, double* sum);
   void (*add_forces_double)(

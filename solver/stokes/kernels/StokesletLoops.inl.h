@@ -280,6 +280,126 @@ void add_velocities(
     add_part_of_velocities(s, begin, end, targets + i, mask + i, sum + i);
 }
 
+// A vector of a panel's points: their monomials, where they are and a_u × a_v.
+template<int degree>
+struct PanelPlaces
+{
+  static constexpr int terms = (degree + 1) * (degree + 2) / 2;
+  Lanes monomial[terms], position[3], cross[3];
+};
+
+template<int degree>
+VESICLE_INLINE void evaluate(
+  PanelPlaces<degree>& p, const PanelShape& panel, const Lanes& u, const Lanes& v)
+{
+  Lanes power_u[degree + 1], power_v[degree + 1], a[3]{}, b[3]{};
+  power_u[0] = power_v[0] = Lanes{} + 1;
+  for (int i = 1; i <= degree; ++i)
+  {
+    power_u[i] = power_u[i - 1] * u;
+    power_v[i] = power_v[i - 1] * v;
+  }
+  for (int k = 0; k < 3; ++k)
+    p.position[k] = Lanes{};
+  const double* c = panel.coefficients;
+  int term = 0;
+  for (int d = 0; d <= degree; ++d)
+    for (int j = 0; j <= d; ++j, ++term, c += panel.stride)
+    {
+      const int i = d - j;
+      p.monomial[term] = power_u[i] * power_v[j];
+      const Lanes du = i > 0 ? i * power_u[i > 0 ? i - 1 : 0] * power_v[j] : Lanes{},
+                  dv = j > 0 ? j * power_u[i] * power_v[j > 0 ? j - 1 : 0] : Lanes{};
+      for (int k = 0; k < 3; ++k)
+      {
+        p.position[k] += c[k] * p.monomial[term];
+        a[k] += c[k] * du;
+        b[k] += c[k] * dv;
+      }
+    }
+  for (int k = 0; k < 3; ++k)
+    p.cross[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+}
+
+// xx, xy, xz, yy, yz, zz of weight · kernel dS/8πμ at points of a panel.
+template<bool stresslet, int degree>
+VESICLE_INLINE void components(
+  Lanes g[6], const PanelPlaces<degree>& p, const Lanes& weight, const double* target)
+{
+  const Lanes dx = p.position[0] - target[0], dy = p.position[1] - target[1],
+              dz = p.position[2] - target[2];
+  Lanes inverse;
+  inverse_root(inverse, dx * dx + dy * dy + dz * dz);
+  const Lanes square = inverse * inverse, share = kernel_factor * weight * inverse;
+  Lanes over_r{}, along;
+  if constexpr (stresslet)
+    along = share * square * square * (p.cross[0] * dx + p.cross[1] * dy + p.cross[2] * dz);
+  else
+  {
+    const Lanes area_square =
+      p.cross[0] * p.cross[0] + p.cross[1] * p.cross[1] + p.cross[2] * p.cross[2];
+    Lanes over_area;
+    inverse_root(over_area, area_square);
+    over_r = share * area_square * over_area;
+    along = over_r * square;
+  }
+  const Lanes hx = along * dx, hy = along * dy, hz = along * dz;
+  g[0] = over_r + hx * dx;
+  g[1] = hx * dy;
+  g[2] = hx * dz;
+  g[3] = over_r + hy * dy;
+  g[4] = hy * dz;
+  g[5] = over_r + hz * dz;
+}
+
+template<int degree, bool stresslet>
+VESICLE_INLINE void add_moments(
+  const PanelPoints& points, const PanelShape& panel, const double* target, double* sum)
+{
+  constexpr int terms = PanelPlaces<degree>::terms;
+  Lanes total[terms][6];
+  std::memset(&total, 0, sizeof total);
+  for (int q = 0; q < points.count; q += lanes)
+  {
+    Lanes u, v, weight, g[6];
+    load(u, points.u + q);
+    load(v, points.v + q);
+    load(weight, points.weight + q);
+    PanelPlaces<degree> p;
+    evaluate<degree>(p, panel, u, v);
+    components<stresslet, degree>(g, p, weight, target);
+    for (int t = 0; t < terms; ++t)
+      for (int c = 0; c < 6; ++c)
+        total[t][c] += p.monomial[t] * g[c];
+  }
+  for (int t = 0; t < terms; ++t)
+    for (int c = 0; c < 6; ++c)
+      for (int i = 0; i < lanes; ++i)
+        sum[6 * t + c] += total[t][c][i];
+}
+
+template<bool stresslet>
+VESICLE_INLINE void add_moments_of(
+  const PanelPoints& points, const PanelShape& panel, const double* target, double* sum)
+{
+  if (panel.degree == 1)
+    add_moments<1, stresslet>(points, panel, target, sum);
+  else
+    add_moments<4, stresslet>(points, panel, target, sum);
+}
+
+void add_stokeslet_moments(
+  const PanelPoints& points, const PanelShape& panel, const double* target, double* sum)
+{
+  add_moments_of<false>(points, panel, target, sum);
+}
+
+void add_stresslet_moments(
+  const PanelPoints& points, const PanelShape& panel, const double* target, double* sum)
+{
+  add_moments_of<true>(points, panel, target, sum);
+}
+
 template<class Real>
 VESICLE_INLINE void add_velocity(Wide<Real> u[3], const PointForces<Real>& s, int q,
   const Wide<Real>& dx, const Wide<Real>& dy, const Wide<Real>& dz, const Wide<Real>& over_r)
@@ -373,8 +493,9 @@ double dot(const double* a, const double* b, long n)
   return sum;
 }
 
-constexpr StokesletLoops loops{ add_stokeslets, add_stresslets, multiply_stokeslets, add_velocities,
-  add_forces_double, add_forces_float, add_stresslets_double, add_stresslets_float, dot };
+constexpr StokesletLoops loops{ add_stokeslets, add_stresslets, multiply_stokeslets,
+  add_stokeslet_moments, add_stresslet_moments, add_velocities, add_forces_double, add_forces_float,
+  add_stresslets_double, add_stresslets_float, dot };
 
 }
 }
