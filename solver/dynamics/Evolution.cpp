@@ -30,6 +30,14 @@ StepperSettings with_time_unit(StepperSettings settings, double time_unit)
   return settings;
 }
 
+std::string contact_message(double time, const std::string& contact)
+{
+  return fmt::format(
+    "t = {}: {}, lengths in r0: closer than the meshes tell. Try more triangles, or "
+    "a repulsion between vesicles.",
+    time, contact);
+}
+
 // The last guard: nothing else is ever saved.
 void require_finite(const State& state)
 {
@@ -58,7 +66,9 @@ double Evolution::rate() const
 void Evolution::plan_next_step(State& state)
 {
   double dt = state.controller.free_step;
-  if (!fixed_step_ && state.vesicles.front().velocity.rows() > 0)
+  const bool solved = std::all_of(state.vesicles.begin(), state.vesicles.end(),
+    [](const VesicleState& vesicle) { return vesicle.velocity.rows() > 0; });
+  if (!fixed_step_ && solved)
     dt = std::min(dt, stepper_.longest_step(state));
   if (const auto target = schedule_.next_stop(state); target && *target > state.time)
     dt = step_towards(dt, state.time / time_unit_, *target / time_unit_);
@@ -100,6 +110,18 @@ State Evolution::unsolved(const std::vector<Points>& points)
   return state;
 }
 
+void Evolution::require_apart(const State& state)
+{
+  try
+  {
+    stepper_.require_apart(state);
+  }
+  catch (const NumericalError& contact)
+  {
+    throw NumericalError(contact_message(state.time, contact.what()));
+  }
+}
+
 State Evolution::instant(const std::vector<Points>& points)
 {
   State state = unsolved(points);
@@ -110,6 +132,7 @@ State Evolution::instant(const std::vector<Points>& points)
 State Evolution::start(const std::vector<Points>& points)
 {
   State state = unsolved(points);
+  require_apart(state);
   state.controller.free_step = fixed_step_.value_or(first_step / rate());
   plan_next_step(state);
   stepper_.solve(state);
@@ -154,9 +177,15 @@ State Evolution::step(const State& before)
       StepReport report;
       State after = stepper_.attempt(from, report);
       reason = reason_to_reject(report, stepper_.settings().limits);
-      if (reason.empty())
+      if (reason.empty() && report.contact.empty())
         return accept(before, from, std::move(after), report);
       refused = std::make_shared<const State>(std::move(after));
+      if (reason.empty()) // shorter steps come there as well
+        throw StepFailure(contact_message(before.time, report.contact), refused);
+    }
+    catch (const StepFailure&)
+    {
+      throw;
     }
     catch (const NumericalError& error)
     {

@@ -33,6 +33,7 @@ public:
 private:
   double rate() const;
   State unsolved(const std::vector<Points>& points);
+  void require_apart(const State& state);
   void plan_next_step(State& state);
   bool overshoots(const State& state) const;
   State accept(const State& before, const State& from, State after, StepReport report);

@@ -1,6 +1,7 @@
 #include "solver/dynamics/LoadStage.h"
 
 #include "solver/Errors.h"
+#include "solver/ParallelFor.h"
 #include "solver/linear/Gmres.h"
 #include "solver/dynamics/LocalPreconditioner.h"
 #include "solver/dynamics/RigidMotions.h"
@@ -147,9 +148,8 @@ Eigen::VectorXd LoadStage::load_of(std::size_t v, const LoadUnknowns& x) const
 Eigen::VectorXd LoadStage::velocity_of(const std::vector<Eigen::VectorXd>& loads,
   const std::vector<LoadUnknowns>& x, Precision precision) const
 {
-  std::vector<Eigen::VectorXd> densities;
-  for (std::size_t v = 0; v < loads.size(); ++v)
-    densities.push_back(this->loads(v).density(loads[v]));
+  std::vector<Eigen::VectorXd> densities(count());
+  parallel_for(count(), [&](std::size_t v) { densities[v] = this->loads(v).density(loads[v]); });
   Eigen::VectorXd velocity = layers_.single(densities, precision);
   for (std::size_t v = 0; v < loads.size(); ++v)
   {
@@ -198,30 +198,32 @@ void LoadStage::start_contrast(std::vector<LoadUnknowns>& x, const Eigen::Vector
 std::vector<LoadUnknowns> LoadStage::rows(const std::vector<Eigen::VectorXd>& loads,
   const std::vector<LoadUnknowns>& x, const Eigen::VectorXd& velocity, Precision precision) const
 {
-  std::vector<LoadUnknowns> result;
-  std::vector<Eigen::VectorXd> control;
-  for (std::size_t v = 0; v < count(); ++v)
-    control.push_back(this->loads(v).surface().to_control(shape_.part(velocity, v)));
+  std::vector<LoadUnknowns> result(count());
+  std::vector<Eigen::VectorXd> control(count());
+  parallel_for(count(),
+    [&](std::size_t v)
+    { control[v] = this->loads(v).surface().to_control(shape_.part(velocity, v)); });
   const Eigen::VectorXd contrast =
     has_contrast() ? contrast_of(control, velocity, precision) : Eigen::VectorXd();
-  for (std::size_t v = 0; v < count(); ++v)
-  {
-    const VesicleLoads& own = this->loads(v);
-    LoadUnknowns& part = result.emplace_back();
-    const Eigen::VectorXd& u = control[v];
-    if (has_parameters(v))
+  parallel_for(count(),
+    [&](std::size_t v)
     {
-      part.parameters = -own.motion().parameters(shape_.part(velocity, v));
-      if (x[v].parameters.size() > 0)
-        part.parameters += x[v].parameters;
-    }
-    if (own.has_tension())
-      part.tension = own.tension_rows(u, x[v].tension);
-    part.pressure = own.volume_rate().dot(u);
-    part.volume_speed = own.normal().dot(loads[v]);
-    if (has_contrast())
-      part.contrast = x[v].contrast + share_of_layer(v) * shape_.part(contrast, v);
-  }
+      const VesicleLoads& own = this->loads(v);
+      LoadUnknowns& part = result[v];
+      const Eigen::VectorXd& u = control[v];
+      if (has_parameters(v))
+      {
+        part.parameters = -own.motion().parameters(shape_.part(velocity, v));
+        if (x[v].parameters.size() > 0)
+          part.parameters += x[v].parameters;
+      }
+      if (own.has_tension())
+        part.tension = own.tension_rows(u, x[v].tension);
+      part.pressure = own.volume_rate().dot(u);
+      part.volume_speed = own.normal().dot(loads[v]);
+      if (has_contrast())
+        part.contrast = x[v].contrast + share_of_layer(v) * shape_.part(contrast, v);
+    });
   return result;
 }
 
@@ -230,25 +232,26 @@ std::vector<LoadUnknowns> LoadStage::precondition(
   const std::vector<LocalPreconditioner>& preconditioners, const std::vector<RigidMotions>& rigid,
   std::vector<LoadUnknowns> residual) const
 {
-  std::vector<LoadUnknowns> x;
-  for (std::size_t v = 0; v < count(); ++v)
-  {
-    const VesicleLoads& own = loads(v);
-    LoadUnknowns& left = residual[v];
-    Eigen::VectorXd w = left.contrast;
-    if (has_contrast())
+  std::vector<LoadUnknowns> x(count());
+  parallel_for(count(),
+    [&](std::size_t v)
     {
-      w -= (1 - own.viscosity_ratio()) / 2 * rigid[v].nearest(w);
-      const Eigen::VectorXd u = own.surface().to_control(w);
-      if (has_parameters(v))
-        left.parameters += own.motion().parameters(w);
-      if (own.has_tension())
-        left.tension -= own.area_rates(u);
-      left.pressure -= own.volume_rate().dot(u);
-    }
-    x.push_back(preconditioners[v].solve(own, left));
-    x[v].contrast = std::move(w);
-  }
+      const VesicleLoads& own = loads(v);
+      LoadUnknowns& left = residual[v];
+      Eigen::VectorXd w = left.contrast;
+      if (has_contrast())
+      {
+        w -= (1 - own.viscosity_ratio()) / 2 * rigid[v].nearest(w);
+        const Eigen::VectorXd u = own.surface().to_control(w);
+        if (has_parameters(v))
+          left.parameters += own.motion().parameters(w);
+        if (own.has_tension())
+          left.tension -= own.area_rates(u);
+        left.pressure -= own.volume_rate().dot(u);
+      }
+      x[v] = preconditioners[v].solve(own, left);
+      x[v].contrast = std::move(w);
+    });
   return x;
 }
 
@@ -283,9 +286,8 @@ StageSolution LoadStage::solve(const std::vector<LocalPreconditioner>& precondit
   const auto apply = [&](const Eigen::VectorXd& y, double allowed) -> Eigen::VectorXd
   {
     const std::vector<LoadUnknowns> x = split(y);
-    std::vector<Eigen::VectorXd> loads;
-    for (std::size_t v = 0; v < count(); ++v)
-      loads.push_back(load_of(v, x[v]));
+    std::vector<Eigen::VectorXd> loads(count());
+    parallel_for(count(), [&](std::size_t v) { loads[v] = load_of(v, x[v]); });
     const Precision precision =
       allowed > single_precision_error ? Precision::single : Precision::full;
     velocities.push_back(velocity_of(loads, x, precision));

@@ -18,16 +18,11 @@ namespace
 constexpr double most_direct_pairs = 1e8;
 
 // Of a vertex in its vesicle: a translation changes nothing.
-double largest_move(const std::vector<Points>& from, const std::vector<Points>& to)
+double largest_move(const Points& from, const Points& to)
 {
-  double largest = 0;
-  for (std::size_t v = 0; v < to.size(); ++v)
-  {
-    const Points move = to[v] - from[v];
-    const Eigen::RowVector3d translation = move.colwise().mean();
-    largest = std::max(largest, (move.rowwise() - translation).rowwise().norm().maxCoeff());
-  }
-  return largest;
+  const Points move = to - from;
+  const Eigen::RowVector3d translation = move.colwise().mean();
+  return (move.rowwise() - translation).rowwise().norm().maxCoeff();
 }
 
 template<PointKind kind>
@@ -43,19 +38,38 @@ std::unique_ptr<const PointSum> far_sum(
 
 }
 
-void LoadStages::build(const SystemShape& shape)
+// Of the vesicles that have none for these points. After a restart they are made where the
+// uninterrupted run made them.
+void LoadStages::build(const SystemShape& shape, const std::vector<Points>& points)
 {
-  for (std::size_t v = 0; v < preconditioners_.size(); ++v)
-    preconditioners_[v].build(*shape.vesicles[v].loads);
-  made_for_ = shape.points;
+  made_for_.resize(points.size());
+  parallel_for(points.size(),
+    [&](std::size_t v)
+    {
+      if (made_for_[v] == points[v])
+        return;
+      if (points[v] == shape.points[v])
+        preconditioners_[v].build(*shape.vesicles[v].loads);
+      else
+      {
+        const Vesicle& vesicle = system_.vesicles[v];
+        preconditioners_[v].build(*VesicleShape(
+          vesicle, std::make_unique<const Surface>(*vesicle.space, points[v]), system_.rate())
+                                     .loads);
+      }
+      made_for_[v] = points[v];
+    });
 }
 
 void LoadStages::build_stiff(const SystemShape& shape, double tau)
 {
-  for (std::size_t v = 0; v < preconditioners_.size(); ++v)
-    if (const VesicleLoads& loads = *shape.vesicles[v].loads;
-        loads.taut() || (loads.stiff() && tau > 0))
-      preconditioners_[v].build_stiff(loads, tau);
+  parallel_for(preconditioners_.size(),
+    [&](std::size_t v)
+    {
+      if (const VesicleLoads& loads = *shape.vesicles[v].loads;
+          loads.taut() || (loads.stiff() && tau > 0))
+        preconditioners_[v].build_stiff(loads, tau);
+    });
 }
 
 LayerMaps LoadStages::maps_of(const SystemShape& shape) const
@@ -106,15 +120,16 @@ LayerMap LoadStages::single_layer(const StokesOperator& layer) const
 StageSolution LoadStages::solve(const SystemShape& shape, const Stage& stage, State& state)
 {
   PreconditionerState& kept = state.preconditioner;
-  if (kept.step == 0 || largest_move(kept.points, shape.points) > stale_displacement)
-    kept = { shape.points, stage.step > 0 ? stage.step : 1 };
-  if (made_for_ != kept.points)
-  {
-    if (kept.points == shape.points)
-      build(shape);
-    else // after a restart: where the uninterrupted run made it
-      build(SystemShape(system_, kept.points));
-  }
+  const bool none = kept.step == 0;
+  if (none)
+    kept.points = shape.points;
+  for (std::size_t v = 0; v < kept.points.size(); ++v)
+    if (none || largest_move(kept.points[v], shape.points[v]) > stale_displacement)
+    {
+      kept.points[v] = shape.points[v];
+      kept.step = stage.step > 0 ? stage.step : 1;
+    }
+  build(shape, kept.points);
   LayerMaps layers;
   run_together({ [&] { layers = maps_of(shape); }, [&] { build_stiff(shape, stage.tau); } });
   StageSolution solution = LoadStage(shape, layers, stage.tau, stage.reference, state)

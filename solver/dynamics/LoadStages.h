@@ -23,7 +23,7 @@ private:
   static constexpr double stale_displacement = 0.05;
   static constexpr int stale_iterations = 40, max_iterations = 200;
 
-  void build(const SystemShape& shape);
+  void build(const SystemShape& shape, const std::vector<Points>& points);
   void build_stiff(const SystemShape& shape, double tau);
   LayerMaps maps_of(const SystemShape& shape) const;
   LayerMap single_layer(const StokesOperator& layer) const;

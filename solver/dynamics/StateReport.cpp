@@ -130,12 +130,13 @@ void StateReport::add_geometry(const VesicleShape& shape, Diagnostics& d) const
   d.edge_ratio = quality.edge_ratio;
 }
 
-// Power of external forces on the membrane, and the imposed flow's work against all forces.
+// Power of external forces on the membrane, of other vesicles' too, and the imposed flow's work against all forces.
 void StateReport::add_power(const VesicleShape& shape, const VesicleState& state,
   const Eigen::VectorXd& imposed, Diagnostics& d) const
 {
   const std::vector<NodalForce> forces = forces_used(shape, state);
-  const NodalForce load = sum_of(forces, shape, external);
+  NodalForce load = sum_of(forces, shape, external);
+  load += shape.force_from_others;
   NodalForce membrane = sum_of(forces, shape, own);
   membrane += constraint_force(shape, state);
   const auto total = [&](const Eigen::VectorXd& v)
@@ -225,6 +226,9 @@ std::map<std::string, Eigen::MatrixXd> StateReport::fields(
     if (!term.external())
       membrane += force;
   }
+  if (!empty(shape.force_from_others))
+    fields["Repulsion_Force"] =
+      shape.basis().at_vertices(shape.force_from_others) * scales_.force_density();
   Points constraint = Points::Zero(membrane.rows(), 3);
   if (const NodalForce force = constraint_force(shape, vesicle); !empty(force))
     constraint = shape.basis().at_vertices(force);

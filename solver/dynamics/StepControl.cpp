@@ -40,6 +40,10 @@ std::string reason_to_reject(const StepReport& r, const StepLimits& limits)
   if (!(r.energy_jump <= limits.energy_jump))
     return fmt::format("bending energy rises by {:.0f}% of it in one step, over {:.0f}%",
       100 * r.energy_jump, 100 * limits.energy_jump);
+  if (!(r.gap >= (1 - limits.gap_share) * r.gap_before))
+    return fmt::format("two vesicles' gap falls from {:.2g} to {:.2g} edges in one step, by more "
+                       "than {:.0f}%",
+      r.gap_before, r.gap, 100 * limits.gap_share);
   return {};
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // When a step is accepted and how long the next one is.
 
-#include <optional>
+#include <limits>
 #include <string>
 
 namespace vesicle
@@ -19,6 +19,10 @@ struct StepReport
   double constraint_left = 0; ///< of area and volume after it, relative
   double energy_rise = 0;     ///< relative, of the bending energy in a fluid at rest; 0 otherwise
   double energy_jump = 0;     ///< the same in a fluid that moves, or under a load
+  /// Between the nearest vesicles, before and after, in mean edges; infinite where none are near.
+  double gap_before = std::numeric_limits<double>::infinity(),
+         gap = std::numeric_limits<double>::infinity();
+  std::string contact; ///< which vesicles have come too near, and where; empty: none
 };
 
 struct StepLimits
@@ -31,6 +35,11 @@ struct StepLimits
   double energy_rise = 1e-6;     ///< dissipation is the one thing a fluid at rest can do
   double energy_jump =
     0.25; ///< no flow bends a membrane by so much in a step: a mesh that folds over does
+  /// No step takes more of what is between two vesicles: one that did would have them cross.
+  double gap_share = 0.5;
+  /// In mean edges: nearer than that vesicles are in contact. Neither the forces, known at the vertices,
+  /// nor the shapes tell more.
+  double contact = 0.02;
   double growth = 1.5; ///< at most, from one step to the next
   double shrink = 0.3; ///< at most
   double safety = 0.9;

@@ -19,6 +19,10 @@ constexpr double sdirk_gamma = 1 - 1 / std::numbers::sqrt2;
 // a quarter of an edge of membrane flow.
 constexpr double longest_relaxation = 0.5;
 constexpr double longest_passage = 0.25;
+// Distances between vesicles are looked at where they are below so many mean edges.
+constexpr double near_edges = 2;
+// Of a step that takes the largest share of a gap that is allowed.
+constexpr double approach_margin = 0.5;
 
 // The largest normal displacement of a step, in the mean edges of each vesicle.
 double largest_displacement(const SystemShape& shape, const Eigen::VectorXd& displacement,
@@ -153,10 +157,67 @@ double Stepper::longest_step(const State& state)
     longest =
       std::min(longest, longest_relaxation / relaxation_rate(surface, velocity, system_.rate()));
     if (speed > 0)
-      longest =
-        std::min(longest, longest_passage * mean_edge(surface.vertices, neighbours_[v]) / speed);
+      longest = std::min(
+        longest, longest_passage * vesicle::mean_edge(surface.vertices, neighbours_[v]) / speed);
+  }
+  return several() ? std::min(longest, longest_approach(*now, state)) : longest;
+}
+
+// Of all vesicles.
+double Stepper::mean_edge(const SystemShape& shape) const
+{
+  double sum = 0;
+  for (std::size_t v = 0; v < shape.vesicles.size(); ++v)
+    sum += vesicle::mean_edge(shape.points[v], neighbours_[v]);
+  return sum / static_cast<double>(shape.vesicles.size());
+}
+
+Proximity Stepper::proximity(const SystemShape& shape) const
+{
+  return { sides(shape), near_edges * mean_edge(shape) };
+}
+
+// A share of the gap over the speed at which vertices and the other surface approach each other.
+double Stepper::longest_approach(const SystemShape& shape, const State& state) const
+{
+  double longest = INFINITY;
+  const Proximity distances = proximity(shape);
+  for (const Proximity::NearVertex& near : distances.near())
+  {
+    const auto& corners = system_.vesicles[near.other].space->triangles().row(near.place.triangle);
+    Eigen::RowVector3d there = Eigen::RowVector3d::Zero();
+    for (int k = 0; k < 3; ++k)
+      there += near.place.weights[k] * state.vesicles[near.other].velocity.row(corners[k]);
+    const double closing = (there - state.vesicles[near.vesicle].velocity.row(near.vertex))
+                             .dot(near.place.normal.transpose());
+    if (closing > 0 && near.place.distance > 0)
+      longest = std::min(
+        longest, approach_margin * settings_.limits.gap_share * near.place.distance / closing);
   }
   return longest;
+}
+
+void Stepper::require_apart(const State& state)
+{
+  if (!several())
+    return;
+  const auto now = shape(state);
+  if (const auto gap = proximity(*now).smallest();
+      gap && gap->distance < settings_.limits.contact * mean_edge(*now))
+    throw NumericalError(to_text(*gap));
+}
+
+void Stepper::look_for_contact(const State& after, const SystemShape& start, StepReport& report)
+{
+  const auto end = shape(after);
+  const auto before = proximity(start).smallest(), now = proximity(*end).smallest();
+  const double edge = mean_edge(*end);
+  if (!now)
+    return;
+  report.gap_before = before ? before->distance / edge : near_edges;
+  report.gap = now->distance / edge;
+  if (report.gap < settings_.limits.contact)
+    report.contact = to_text(*now);
 }
 
 Stepper::Solved Stepper::solve_stage(State& state, const std::vector<Points>& points, double time,
@@ -173,10 +234,13 @@ Stepper::Solved Stepper::solve_stage(State& state, const std::vector<Points>& po
     },
     [&]
     {
-      for (std::size_t v = 0; v < there->vesicles.size(); ++v)
-        if (there->vesicles[v].loads && system_.vesicles[v].motion != NodeMotionKind::material)
-          solved.sliding[v] = std::make_unique<const TangentialMotion>(
-            sliding_motion(*there->vesicles[v].loads, tau));
+      parallel_for(there->vesicles.size(),
+        [&](std::size_t v)
+        {
+          if (there->vesicles[v].loads && system_.vesicles[v].motion != NodeMotionKind::material)
+            solved.sliding[v] = std::make_unique<const TangentialMotion>(
+              sliding_motion(*there->vesicles[v].loads, tau));
+        });
     } });
   return solved;
 }
@@ -184,20 +248,21 @@ Stepper::Solved Stepper::solve_stage(State& state, const std::vector<Points>& po
 // `reference`: the state whose node velocities the implicit part is measured from, or nullptr.
 std::vector<Points> Stepper::node_velocities(const Solved& stage, const State* reference) const
 {
-  std::vector<Points> result;
-  for (std::size_t v = 0; v < stage.shape->vesicles.size(); ++v)
-  {
-    const VesicleShape& shape = stage.shape->vesicles[v];
-    const Points velocity = rows_of_three(stage.shape->part(stage.solution.velocity, v));
-    if (system_.vesicles[v].motion == NodeMotionKind::material)
-      result.push_back(velocity);
-    else if (stage.sliding[v])
-      result.push_back(sliding_velocity(*shape.loads, *stage.sliding[v], neighbours_[v], velocity,
-        system_.rate(), reference ? reference->vesicles[v].node_velocity : Points(0, 3)));
-    else
-      result.push_back(
-        equidistributing_velocity(*shape.surface, neighbours_[v], velocity, system_.rate()));
-  }
+  std::vector<Points> result(stage.shape->vesicles.size());
+  parallel_for(result.size(),
+    [&](std::size_t v)
+    {
+      const VesicleShape& shape = stage.shape->vesicles[v];
+      const Points velocity = rows_of_three(stage.shape->part(stage.solution.velocity, v));
+      if (system_.vesicles[v].motion == NodeMotionKind::material)
+        result[v] = velocity;
+      else if (stage.sliding[v])
+        result[v] = sliding_velocity(*shape.loads, *stage.sliding[v], neighbours_[v], velocity,
+          system_.rate(), reference ? reference->vesicles[v].node_velocity : Points(0, 3));
+      else
+        result[v] =
+          equidistributing_velocity(*shape.surface, neighbours_[v], velocity, system_.rate());
+    });
   return result;
 }
 
@@ -244,6 +309,8 @@ State Stepper::attempt(const State& before, StepReport& report)
     for (VesicleState& vesicle : after.vesicles)
       vesicle.points += dt * vesicle.node_velocity;
   restore_area_and_volume(after, *start, report);
+  if (several() && report.finite)
+    look_for_contact(after, *start, report);
   return after;
 }
 
@@ -295,18 +362,23 @@ void Stepper::restore_area_and_volume(State& after, const SystemShape& start, St
   }
   if (!reason_to_reject(report, settings_.limits).empty())
     return;
-  for (std::size_t v = 0; v < after.vesicles.size(); ++v)
-  {
-    const VesicleShape& before = start.vesicles[v];
-    if (!before.vesicle->conserved)
-      continue;
-    VesicleState& vesicle = after.vesicles[v];
-    const ProjectionResult removed = project_area_and_volume(vesicle.points, *before.vesicle->space,
-      vesicle.target_area, vesicle.target_volume, !before.constraint || before.gauge_pinned());
-    vesicle.area_correction += removed.area_removed;
-    vesicle.volume_correction += removed.volume_removed;
-    report.constraint_left += removed.left; // of all: a sum keeps a NaN
-  }
+  std::vector<double> left(after.vesicles.size(), 0);
+  parallel_for(left.size(),
+    [&](std::size_t v)
+    {
+      const VesicleShape& before = start.vesicles[v];
+      if (!before.vesicle->conserved)
+        return;
+      VesicleState& vesicle = after.vesicles[v];
+      const ProjectionResult removed =
+        project_area_and_volume(vesicle.points, *before.vesicle->space, vesicle.target_area,
+          vesicle.target_volume, !before.constraint || before.gauge_pinned());
+      vesicle.area_correction += removed.area_removed;
+      vesicle.volume_correction += removed.volume_removed;
+      left[v] = removed.left;
+    });
+  for (const double of_vesicle : left)
+    report.constraint_left += of_vesicle; // of all: a sum keeps a NaN
   report.finite = finite();
   if (!report.finite)
     return;

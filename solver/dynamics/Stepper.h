@@ -38,8 +38,10 @@ public:
   const StepperSettings& settings() const { return settings_; }
   /// The system at the shapes of a state; that of the last shapes asked for is kept.
   std::shared_ptr<const SystemShape> shape(const State& state);
-  /// The longest step that mesh motion allows at this state.
+  /// The longest step that mesh motion allows at this state, and vesicles that approach each other.
   double longest_step(const State& state);
+  /// Throws NumericalError where vesicles are in contact or cross.
+  void require_apart(const State& state);
 
   /// Fills velocities, tensions, stiff forces and node velocities of `state` for its points and its
   /// next step; what it has of them is the first guess.
@@ -72,6 +74,11 @@ private:
   void advance_midpoint(
     const State& before, State& after, const Eigen::VectorXd& relative, StepReport& report);
   void restore_area_and_volume(State& after, const SystemShape& start, StepReport& report);
+  bool several() const { return system_.vesicles.size() > 1; }
+  double mean_edge(const SystemShape& shape) const;
+  Proximity proximity(const SystemShape& shape) const;
+  double longest_approach(const SystemShape& shape, const State& state) const;
+  void look_for_contact(const State& after, const SystemShape& start, StepReport& report);
 
   System system_;
   StepperSettings settings_;

@@ -29,13 +29,22 @@ double Vesicle::energy(const Surface& surface) const
   return sum;
 }
 
-Vesicle make_vesicle(std::unique_ptr<const SurfaceSpace> space, int quadrature)
+Vesicle make_vesicle(std::shared_ptr<const SurfaceSpace> space, int quadrature)
 {
   Vesicle vesicle;
   const Basis& basis = space->basis();
   vesicle.layer = std::make_unique<LayerRules>(basis, layer_quadrature(basis, quadrature));
   vesicle.curvature_energy = make_bending(*space, 0);
   vesicle.space = std::move(space);
+  return vesicle;
+}
+
+Vesicle make_vesicle_like(const Vesicle& other)
+{
+  Vesicle vesicle;
+  vesicle.space = other.space;
+  vesicle.layer = other.layer;
+  vesicle.curvature_energy = make_bending(*vesicle.space, 0);
   return vesicle;
 }
 
@@ -56,7 +65,7 @@ double System::rate() const
 
 bool System::only_relaxes() const
 {
-  return !flow &&
+  return !flow && !repulsion &&
     std::all_of(vesicles.begin(), vesicles.end(),
       [](const Vesicle& vesicle)
       {

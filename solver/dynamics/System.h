@@ -3,12 +3,14 @@
 // scene doesn't name isn't here.
 
 #include "solver/flow/ImposedFlow.h"
+#include "solver/dynamics/Repulsion.h"
 #include "solver/membrane/Incompressibility.h"
 #include "solver/membrane/MembraneTerm.h"
 #include "solver/stokes/LayerRules.h"
 #include "solver/surface/NodeMotion.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace vesicle
@@ -16,8 +18,8 @@ namespace vesicle
 
 struct Vesicle
 {
-  std::unique_ptr<const SurfaceSpace> space;
-  std::unique_ptr<const LayerRules> layer;
+  std::shared_ptr<const SurfaceSpace> space; ///< vesicles on the same mesh may share it,
+  std::shared_ptr<const LayerRules> layer;   ///< and this
   MembraneTerms terms;
   double viscosity_ratio =
     1; ///< λ, of the fluid inside to that outside; other than 1 on smooth surfaces only
@@ -38,16 +40,19 @@ struct Vesicle
 
 /// A vesicle without terms on `triangles` of `nodes` vertices; `quadrature` points a triangle.
 Vesicle make_vesicle(SurfaceBasis basis, const Triangles& triangles, int nodes, int quadrature);
-Vesicle make_vesicle(std::unique_ptr<const SurfaceSpace> space, int quadrature);
+Vesicle make_vesicle(std::shared_ptr<const SurfaceSpace> space, int quadrature);
+/// On the same mesh as `other`, with which it shares what the mesh fixes.
+Vesicle make_vesicle_like(const Vesicle& other);
 
 struct System
 {
   std::vector<Vesicle> vesicles;
   std::shared_ptr<const ImposedFlow> flow; ///< none: at rest far away
+  std::optional<Repulsion> repulsion;      ///< between vesicles; none: by the fluid alone
 
   /// The rate that sets the pace, the largest of the terms' and the flow's; 0 if there is none.
   double rate() const;
-  /// Nothing but its own membrane moves a vesicle: its energy can't rise.
+  /// Nothing but its own membrane moves a vesicle, and the others the fluid: their energy can't rise.
   bool only_relaxes() const;
 };
 

@@ -1,5 +1,7 @@
 #include "solver/dynamics/SystemShape.h"
 
+#include "solver/ParallelFor.h"
+
 namespace vesicle
 {
 
@@ -16,18 +18,19 @@ void add(std::optional<SparseMatrix>& sum, SparseMatrix&& part)
 
 }
 
-VesicleShape::VesicleShape(const Vesicle& v, const Points& points, double rate)
-  : vesicle(&v), surface(std::make_unique<Surface>(*v.space, points))
+VesicleShape::VesicleShape(const Vesicle& v, std::unique_ptr<const Surface> at, double rate,
+  const Eigen::VectorXd& from_others)
+  : vesicle(&v), surface(std::move(at))
 {
   if (v.incompressibility)
     constraint = std::make_shared<const ConstraintRows>(v.incompressibility->rows(*surface));
   if (v.space->smooth())
-    add_loads(rate);
+    add_loads(rate, from_others);
   else
-    add_flat_forces();
+    add_flat_forces(from_others);
 }
 
-void VesicleShape::add_flat_forces()
+void VesicleShape::add_flat_forces(const Eigen::VectorXd& from_others)
 {
   lumped = std::make_unique<LumpedForces>(*surface, vesicle->incompressibility.get());
   NodalForce stiff;
@@ -40,11 +43,17 @@ void VesicleShape::add_flat_forces()
       add(linearisation, std::move(*force.linearisation));
   }
   stiff_force = std::move(stiff.normal);
+  if (from_others.size() > 0)
+  {
+    force_from_others.vector =
+      -scaled_rows(rows_of_three(from_others), surface->vertex_area.cwiseInverse());
+    other_force += force_from_others;
+  }
 }
 
-void VesicleShape::add_loads(double rate)
+void VesicleShape::add_loads(double rate, const Eigen::VectorXd& from_others)
 {
-  loads = std::make_unique<VesicleLoads>(*vesicle, *surface, constraint, rate);
+  loads = std::make_unique<VesicleLoads>(*vesicle, *surface, constraint, rate, from_others);
   NodalForce stiff;
   for (std::size_t t = 0; t < vesicle->terms.size(); ++t)
   {
@@ -52,6 +61,11 @@ void VesicleShape::add_loads(double rate)
     (vesicle->terms[t]->stiff() ? stiff : other_force) += forces.back();
   }
   stiff_force = std::move(stiff.vector);
+  if (from_others.size() > 0)
+  {
+    force_from_others.vector = loads->density(loads->load_from_others());
+    other_force += force_from_others;
+  }
 }
 
 NodalForce VesicleShape::force() const
@@ -69,15 +83,41 @@ Mobility::Columns VesicleShape::columns() const
 SystemShape::SystemShape(const System& system, const std::vector<Points>& at, double now)
   : points(at), time(now), first{ 0 }
 {
-  for (std::size_t i = 0; i < system.vesicles.size(); ++i)
+  const std::size_t count = system.vesicles.size();
+  std::vector<std::unique_ptr<const Surface>> surfaces(count);
+  parallel_for(count,
+    [&](std::size_t v)
+    { surfaces[v] = std::make_unique<const Surface>(*system.vesicles[v].space, points[v]); });
+  std::vector<Eigen::VectorXd> from_others(count);
+  if (system.repulsion && count > 1)
   {
-    vesicles.emplace_back(system.vesicles[i], points[i], system.rate());
-    first.push_back(first.back() + points[i].rows());
+    std::vector<Proximity::Side> all;
+    for (std::size_t v = 0; v < count; ++v)
+      all.push_back({ system.vesicles[v].layer.get(), surfaces[v].get() });
+    from_others = system.repulsion->gradients(Proximity(std::move(all), system.repulsion->range));
+  }
+  std::vector<std::optional<VesicleShape>> made(count);
+  parallel_for(count,
+    [&](std::size_t v) {
+      made[v].emplace(system.vesicles[v], std::move(surfaces[v]), system.rate(), from_others[v]);
+    });
+  for (std::size_t v = 0; v < count; ++v)
+  {
+    vesicles.push_back(std::move(*made[v]));
+    first.push_back(first.back() + points[v].rows());
   }
   imposed = Eigen::VectorXd::Zero(3 * vertices());
   if (const auto flow = flow_at(system.flow, time))
     for (std::size_t i = 0; i < vesicles.size(); ++i)
       imposed.segment(3 * first[i], 3 * points[i].rows()) = flat(flow->velocities(points[i]));
+}
+
+std::vector<Proximity::Side> sides(const SystemShape& shape)
+{
+  std::vector<Proximity::Side> sides;
+  for (const VesicleShape& v : shape.vesicles)
+    sides.push_back({ v.vesicle->layer.get(), v.surface.get() });
+  return sides;
 }
 
 std::vector<LayerSurface> layer_surfaces(const SystemShape& shape)

@@ -10,8 +10,10 @@ namespace vesicle
 
 struct VesicleShape
 {
-  /// `rate`: the system's.
-  VesicleShape(const Vesicle& vesicle, const Points& points, double rate);
+  /// `rate`: the system's; `from_others`: the gradient of the energy that the vesicle has with others,
+  /// of the control points, or empty.
+  VesicleShape(const Vesicle& vesicle, std::unique_ptr<const Surface> surface, double rate,
+    const Eigen::VectorXd& from_others = {});
 
   const Vesicle* vesicle;
   std::unique_ptr<const Surface> surface;
@@ -20,7 +22,8 @@ struct VesicleShape
   std::vector<NodalForce> forces;             ///< of each term
   /// The sum of the stiff terms, or empty: φ on flat triangles, vectors on smooth surfaces.
   Eigen::VectorXd stiff_force;
-  NodalForce other_force;                           ///< the sum of all the others
+  NodalForce force_from_others;                     ///< of the repulsion; no parts: none
+  NodalForce other_force;                           ///< the sum of all but the stiff ones
   std::optional<SparseMatrix> linearisation;        ///< of stiff_force; flat triangles only
   std::shared_ptr<const ConstraintRows> constraint; ///< of an incompressible membrane
 
@@ -29,13 +32,13 @@ struct VesicleShape
     return loads ? static_cast<const ForceBasis&>(*loads) : *lumped;
   }
   bool gauge_pinned() const { return constraint && constraint->gauge_pinned; }
-  NodalForce force() const; ///< of all terms
+  NodalForce force() const; ///< of all
   /// Columns for all that the shape has forces of; flat triangles only.
   Mobility::Columns columns() const;
 
 private:
-  void add_flat_forces();
-  void add_loads(double rate);
+  void add_flat_forces(const Eigen::VectorXd& from_others);
+  void add_loads(double rate, const Eigen::VectorXd& from_others);
 };
 
 struct SystemShape
@@ -57,6 +60,8 @@ struct SystemShape
   }
 };
 
+/// For the distances between vesicles.
+std::vector<Proximity::Side> sides(const SystemShape& shape);
 /// As the single layer wants them.
 std::vector<LayerSurface> layer_surfaces(const SystemShape& shape);
 /// Velocities that the vesicles' densities make, of each.

@@ -18,7 +18,7 @@ constexpr double taut_resistance = 1e4;
 }
 
 VesicleLoads::VesicleLoads(const Vesicle& vesicle, const Surface& surface,
-  std::shared_ptr<const ConstraintRows> constraint, double rate)
+  std::shared_ptr<const ConstraintRows> constraint, double rate, const Eigen::VectorXd& from_others)
   : surface_(&surface), viscosity_ratio_(vesicle.viscosity_ratio),
     motion_(
       surface, constraint && constraint->gauge_pinned ? NodeMotionKind::normal : vesicle.motion),
@@ -29,6 +29,8 @@ VesicleLoads::VesicleLoads(const Vesicle& vesicle, const Surface& surface,
     { [&] { make_mass(); }, [&] { add_terms(vesicle.terms); }, [&] { add_constraints(); } });
   if (constraint_ && constraint_->gauge_pinned)
     hold_taut(rate);
+  if (from_others.size() > 0)
+    load_from_others_ = -motion_.adjoint(from_others);
 }
 
 void VesicleLoads::make_mass()
@@ -124,6 +126,8 @@ Eigen::VectorXd VesicleLoads::load() const
     taut_load_.size() > 0 ? taut_load_ : Eigen::VectorXd(Eigen::VectorXd::Zero(gradient_.size()));
   for (const Eigen::VectorXd& load : loads_)
     sum += load;
+  if (load_from_others_.size() > 0)
+    sum += load_from_others_;
   return sum;
 }
 

@@ -21,8 +21,10 @@ namespace vesicle
 class VesicleLoads final : public ForceBasis
 {
 public:
+  /// `from_others`: the gradient, 3N, of the energy that the vesicle has with others, or empty.
   VesicleLoads(const Vesicle& vesicle, const Surface& surface,
-    std::shared_ptr<const ConstraintRows> constraint, double rate);
+    std::shared_ptr<const ConstraintRows> constraint, double rate,
+    const Eigen::VectorXd& from_others = {});
 
   // Densities are Σ N_k f_k.
   Points at_vertices(const NodalForce& force) const override;
@@ -37,7 +39,9 @@ public:
 
   /// Of each term: −Qᵀg.
   const std::vector<Eigen::VectorXd>& loads() const { return loads_; }
-  /// Their sum.
+  /// What other vesicles do by an energy with this one, or empty.
+  const Eigen::VectorXd& load_from_others() const { return load_from_others_; }
+  /// The sum of all.
   Eigen::VectorXd load() const;
   /// g of the membrane's own energy.
   const Eigen::VectorXd& gradient() const { return gradient_; }
@@ -97,7 +101,8 @@ private:
   double viscosity_ratio_;
   NodeMotion motion_;
   std::vector<Eigen::VectorXd> loads_;
-  Eigen::VectorXd taut_load_; ///< or empty
+  Eigen::VectorXd load_from_others_; ///< or empty
+  Eigen::VectorXd taut_load_;        ///< or empty
   Eigen::VectorXd gradient_;
   SparseMatrix stiffness_, resistance_;
   std::shared_ptr<const ConstraintRows> constraint_; ///< none: no tension

@@ -40,4 +40,11 @@ PanelBasis::PanelBasis(const Basis& basis)
     });
 }
 
+Eigen::VectorXd PanelBasis::values(int panel, double u, double v) const
+{
+  const Monomials monomials(degree_, u, v);
+  return coefficients(panel).transpose() *
+    Eigen::Map<const Eigen::VectorXd>(monomials.value, terms_);
+}
+
 }

@@ -41,6 +41,8 @@ public:
     return { coefficients_.data() + place_[panel], terms_, start_[element + 1] - start_[element] };
   }
   int element(int panel) const { return element_[panel]; }
+  /// N_k of its element's nodes at a panel's point.
+  Eigen::VectorXd values(int panel, double u, double v) const;
 
 private:
   int degree_, terms_;

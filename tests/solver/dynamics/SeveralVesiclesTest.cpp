@@ -1,0 +1,280 @@
+// Vesicles that feel each other through the fluid: against closed forms, and what no order of theirs
+// and no number of threads may change.
+
+#include "solver/Errors.h"
+#include "solver/dynamics/Evolution.h"
+#include "solver/dynamics/StepFailure.h"
+#include "solver/flow/Shear.h"
+#include "solver/membrane/Buoyancy.h"
+#include "solver/membrane/HelfrichBending.h"
+#include "tests/solver/support/TestMeshes.h"
+
+#include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace vesicle
+{
+namespace
+{
+
+/// Vesicles on one mesh, each of them furnished.
+System system_of(
+  const TriangleMesh& mesh, std::size_t count, const std::function<void(Vesicle&)>& furnish)
+{
+  System system;
+  for (std::size_t v = 0; v < count; ++v)
+  {
+    system.vesicles.push_back(v == 0
+        ? make_vesicle(SurfaceBasis::loop, mesh.triangles, static_cast<int>(mesh.points.rows()), 3)
+        : make_vesicle_like(system.vesicles[0]));
+    furnish(system.vesicles.back());
+  }
+  return system;
+}
+
+/// The load Bo z n.
+void load_only(Vesicle& vesicle)
+{
+  vesicle.terms.push_back(make_buoyancy(*vesicle.space, 1));
+}
+
+void loaded_and_inextensible(Vesicle& vesicle)
+{
+  load_only(vesicle);
+  vesicle.incompressibility = make_incompressibility(*vesicle.space);
+}
+
+void bending_and_inextensible(Vesicle& vesicle)
+{
+  vesicle.terms.push_back(make_bending(*vesicle.space, 0));
+  vesicle.incompressibility = make_incompressibility(*vesicle.space);
+}
+
+std::vector<Points> along_z(const TriangleMesh& mesh, std::size_t count, double distance)
+{
+  std::vector<Points> points;
+  for (std::size_t v = 0; v < count; ++v)
+    points.emplace_back(
+      mesh.points.rowwise() + Eigen::RowVector3d(0, 0, static_cast<double>(v) * distance));
+  return points;
+}
+
+Evolution evolution_of(System system, std::optional<double> fixed_step = {})
+{
+  StepperSettings settings;
+  return { std::move(system), settings, OutputSchedule(0, 100.), 1, fixed_step };
+}
+
+/// Speeds along z of the centroids at the first instant.
+std::vector<double> rise(System system, const std::vector<Points>& points)
+{
+  Evolution evolution = evolution_of(std::move(system));
+  const State state = evolution.instant(points);
+  const auto shape = evolution.stepper().shape(state);
+  std::vector<double> speeds;
+  for (std::size_t v = 0; v < points.size(); ++v)
+    speeds.push_back(
+      shape->vesicles[v].surface->mean_velocity(flat(state.vesicles[v].velocity)).z());
+  return speeds;
+}
+
+// Blobs without a membrane, one viscosity: 1 + 5/(4d) − 1/(2d³) times as fast as one alone.
+TEST(SeveralVesicles, TwoBlobsHelpEachOtherAsTheClosedFormSays)
+{
+  const TriangleMesh mesh = test::smooth_sphere(1280);
+  const double alone = rise(system_of(mesh, 1, load_only), { mesh.points })[0];
+  for (const double gap : { 0.01, 0.1, 1. })
+  {
+    const double d = 2 + gap;
+    for (const double speed : rise(system_of(mesh, 2, load_only), along_z(mesh, 2, d)))
+      EXPECT_NEAR(speed / alone, 1 + 5 / (4 * d) - 1 / (2 * d * d * d), 1e-4) << gap;
+  }
+}
+
+// Between fluids of other viscosities both layers are near: the same speeds by another method, with
+// the load on spheres, which no closed form covers. Inside as stiff as a rigid one they must agree.
+TEST(SeveralVesicles, InextensibleSpheresRiseAsRigidOnesWhateverIsInside)
+{
+  const TriangleMesh mesh = test::smooth_sphere(1280);
+  for (const double ratio : { 1., 5. })
+    for (const auto& [d, drag] :
+      { std::pair(2.1, 0.6509001445), std::pair(2.5, 0.6729155138), std::pair(4., 0.7422582851) })
+    {
+      const auto furnish = [&](Vesicle& vesicle)
+      {
+        loaded_and_inextensible(vesicle);
+        vesicle.viscosity_ratio = ratio;
+      };
+      for (const double speed : rise(system_of(mesh, 2, furnish), along_z(mesh, 2, d)))
+        EXPECT_NEAR(speed * drag / (2. / 9), 1, 1e-3) << d << ", " << ratio;
+    }
+}
+
+TriangleMesh body(int triangles)
+{
+  return test::mapped(test::smooth_sphere(triangles),
+    [](const Vector3& d) -> Vector3 {
+      return { 1.3 * d.x() + 0.1 * d.z(), 0.9 * d.y(), 0.9 * d.z() };
+    });
+}
+
+std::vector<Points> side_by_side(const TriangleMesh& mesh)
+{
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.5, Vector3(1, 1, 0).normalized()).matrix();
+  return { mesh.points,
+    Points((mesh.points * turn.transpose()).rowwise() + Eigen::RowVector3d(0.4, 0.2, 1.95)) };
+}
+
+System sheared(const TriangleMesh& mesh)
+{
+  System system = system_of(mesh, 2, bending_and_inextensible);
+  system.flow = std::make_shared<Shear>(2);
+  return system;
+}
+
+State steps(Evolution& evolution, State state, int count)
+{
+  for (int i = 0; i < count; ++i)
+    state = evolution.step(state);
+  return state;
+}
+
+TEST(SeveralVesicles, TheirOrderDoesNotMatter)
+{
+  const TriangleMesh mesh = body(80);
+  std::vector<Points> points = side_by_side(mesh);
+  std::vector<State> states;
+  for (int swapped = 0; swapped < 2; ++swapped)
+  {
+    Evolution evolution = evolution_of(sheared(mesh), 0.005);
+    states.push_back(steps(evolution, evolution.start(points), 4));
+    std::swap(points[0], points[1]);
+  }
+  for (std::size_t v = 0; v < 2; ++v)
+    EXPECT_LT((states[0].vesicles[v].points - states[1].vesicles[1 - v].points).norm(), 1e-8) << v;
+}
+
+TEST(SeveralVesicles, NoBitDependsOnTheNumberOfThreads)
+{
+  const TriangleMesh mesh = body(80);
+  std::vector<State> states;
+  for (const int threads : { 1, 3 })
+  {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    System system = sheared(mesh);
+    system.repulsion = Repulsion{ .strength = 0.5, .range = 0.3 };
+    Evolution evolution = evolution_of(std::move(system), 0.005);
+    states.push_back(steps(evolution, evolution.start(side_by_side(mesh)), 3));
+  }
+  for (std::size_t v = 0; v < 2; ++v)
+    EXPECT_EQ(states[0].vesicles[v].points, states[1].vesicles[v].points);
+}
+
+TEST(SeveralVesicles, ARestoredStateGoesOnBitForBit)
+{
+  const TriangleMesh mesh = body(80);
+  Evolution evolution = evolution_of(sheared(mesh));
+  const State saved = steps(evolution, evolution.start(side_by_side(mesh)), 3),
+              state = steps(evolution, saved, 3);
+  Evolution other = evolution_of(sheared(mesh)); // nothing cached
+  const State again = steps(other, saved, 3);
+  for (std::size_t v = 0; v < 2; ++v)
+  {
+    EXPECT_EQ(again.vesicles[v].points, state.vesicles[v].points);
+    EXPECT_EQ(again.vesicles[v].tension, state.vesicles[v].tension);
+  }
+  EXPECT_EQ(again.controller.next_step, state.controller.next_step);
+}
+
+TEST(SeveralVesicles, MethodsOfTheLayerAgree)
+{
+  const TriangleMesh mesh = body(80);
+  System system = sheared(mesh);
+  system.vesicles[1].viscosity_ratio = 3;
+  const SystemShape shape(system, side_by_side(mesh));
+  const auto velocity = [&](const LayerSettings& layer)
+  {
+    State state;
+    return make_stage_solver(system, layer)->solve(shape, { 0.03, 0.01, {}, 1e-9 }, state).velocity;
+  };
+  const Eigen::VectorXd dense = velocity({ LayerMethod::dense, LayerPrecision::full });
+  for (const LayerMethod method : { LayerMethod::direct, LayerMethod::tree })
+    EXPECT_LT(
+      (velocity({ method, LayerPrecision::mixed, 1e-8 }) - dense).norm(), 1e-7 * dense.norm());
+}
+
+TEST(SeveralVesicles, CrossingAtTheStartIsRefused)
+{
+  const TriangleMesh mesh = body(80);
+  Evolution evolution = evolution_of(sheared(mesh));
+  try
+  {
+    evolution.start({ mesh.points, Points(mesh.points.rowwise() + Eigen::RowVector3d(0, 0, 1.6)) });
+    FAIL();
+  }
+  catch (const NumericalError& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("t = 0: vesicles"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("cross near"), std::string::npos) << error.what();
+  }
+}
+
+/// Drops that are pressed onto each other by opposite loads.
+System colliding(const TriangleMesh& mesh)
+{
+  System system = system_of(mesh, 2, [](Vesicle&) {});
+  system.vesicles[0].terms.push_back(make_buoyancy(*system.vesicles[0].space, 20));
+  system.vesicles[1].terms.push_back(make_buoyancy(*system.vesicles[1].space, -20));
+  return system;
+}
+
+// A fixed step would take them through each other: it is refused with time, place and numbers.
+TEST(SeveralVesicles, AStepThroughAnotherVesicleIsRefused)
+{
+  const TriangleMesh mesh = test::smooth_sphere(80);
+  Evolution evolution = evolution_of(colliding(mesh), 0.02);
+  State state = evolution.start(along_z(mesh, 2, 2.3));
+  try
+  {
+    state = steps(evolution, state, 60);
+    FAIL() << state.time;
+  }
+  catch (const StepFailure& failure)
+  {
+    EXPECT_NE(std::string(failure.what()).find("t = "), std::string::npos) << failure.what();
+    EXPECT_NE(std::string(failure.what()).find("vesicles"), std::string::npos) << failure.what();
+  }
+}
+
+TEST(SeveralVesicles, StepsGetShorterAsAGapCloses)
+{
+  const TriangleMesh mesh = test::smooth_sphere(80);
+  Evolution evolution = evolution_of(colliding(mesh));
+  const auto longest = [&](double gap)
+  { return evolution.stepper().longest_step(evolution.instant(along_z(mesh, 2, 2 + gap))); };
+  EXPECT_LT(longest(0.05), 0.7 * longest(0.2));
+}
+
+// With a repulsion the same two come to rest apart from each other.
+TEST(SeveralVesicles, ARepulsionKeepsThemApart)
+{
+  const TriangleMesh mesh = test::smooth_sphere(80);
+  double gap[2];
+  for (int on = 0; on < 2; ++on)
+  {
+    System system = colliding(mesh);
+    if (on)
+      system.repulsion = Repulsion{ .strength = 20, .range = 0.3 };
+    Evolution evolution = evolution_of(std::move(system));
+    const State state = steps(evolution, evolution.start(along_z(mesh, 2, 2.3)), 8);
+    gap[on] = smallest_gap(sides(*evolution.stepper().shape(state))).distance / state.time;
+  }
+  EXPECT_GT(gap[1], gap[0]);
+}
+
+}
+}
