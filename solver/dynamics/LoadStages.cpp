@@ -46,7 +46,7 @@ void LoadStages::build(const SystemShape& shape, const std::vector<Points>& poin
   parallel_for(points.size(),
     [&](std::size_t v)
     {
-      if (made_for_[v] == points[v])
+      if (made_for_[v].rows() == points[v].rows() && made_for_[v] == points[v])
         return;
       if (points[v] == shape.points[v])
         preconditioners_[v].build(*shape.vesicles[v].loads);

@@ -141,9 +141,9 @@ TEST(LayerSum, IsTheWholeMatrixAppliedOnFlatTriangles)
   const TriangleMesh large = mapped(jittered_sphere(4, 0.2), test::paper_surface);
   TriangleMesh small = jittered_sphere(2, 0.2);
   small.points.rowwise() += Eigen::RowVector3d(3, 0, 0);
-  const auto rules_of = [](const TriangleMesh& mesh)
-  { return LayerRules(LinearBasis(mesh.triangles, static_cast<int>(mesh.points.rows())), {}); };
-  const LayerRules of_large = rules_of(large), of_small = rules_of(small);
+  const LinearBasis large_basis(large.triangles, static_cast<int>(large.points.rows())),
+    small_basis(small.triangles, static_cast<int>(small.points.rows()));
+  const LayerRules of_large(large_basis, {}), of_small(small_basis, {});
   const std::vector<LayerSurface> surfaces{ { &of_large, large.points, large.points },
     { &of_small, small.points, small.points } };
   const StokesOperator layer(surfaces);
