@@ -49,7 +49,8 @@ struct Bodies
 TEST(Proximity, TheGapIsThatOfTheSurfaces)
 {
   for (const auto& [triangles, tolerance] : { std::pair(320, 1e-3), std::pair(1280, 2e-4) })
-    for (const double gap : { 0.003, 0.05, 0.3 })
+    for (const double gap :
+      triangles == 320 ? std::vector{ 0.003, 0.05, 0.3 } : std::vector{ 0.05 })
       for (const Vector3& along : { Vector3(0, 0, 1), Vector3(1, 0.3, -0.5) })
       {
         const Bodies bodies({ test::smooth_sphere(triangles),
