@@ -27,6 +27,12 @@ Box box_of(const Surface& surface)
   return box;
 }
 
+// Of an equilateral triangle about that wide.
+double edge_of(const Surface& surface)
+{
+  return std::sqrt(surface.area / static_cast<double>(surface.vertices.rows()));
+}
+
 std::vector<Box> boxes_of(const std::vector<Proximity::Side>& sides)
 {
   std::vector<Box> boxes;
@@ -95,14 +101,15 @@ std::vector<Proximity::NearVertex> Proximity::near_vertices(
   return near;
 }
 
-// On the panels of the elements around the nearest flat triangle.
-Proximity::Place Proximity::nearest(std::size_t vesicle, const Vector3& x) const
+// On the panels of the elements around the nearest flat triangle, for x nearer than the radius of
+// curvature.
+static Proximity::Place nearest_panel(const Proximity::Side& side, const TriangleTree& tree,
+  const SurfacePanels& panels, const Vector3& x)
 {
-  const auto& [rules, surface] = sides_[vesicle];
-  const SurfacePanels& panels = searched_[vesicle]->panels;
-  const PanelBasis& basis = rules->panels();
-  const TriangleTree::Hit hit = searched_[vesicle]->tree.nearest(x);
-  Place best;
+  const LayerRules& rules = *side.rules;
+  const PanelBasis& basis = rules.panels();
+  const TriangleTree::Hit hit = tree.nearest(x);
+  Proximity::Place best;
   const auto look = [&](int element)
   {
     for (int panel = basis.first(element); panel < basis.first(element + 1); ++panel)
@@ -117,10 +124,31 @@ Proximity::Place Proximity::nearest(std::size_t vesicle, const Vector3& x) const
     }
   };
   look(hit.triangle);
-  for (const int corner : surface->space->triangles().row(hit.triangle))
-    for (const int* e = rules->touching().begin(corner); e != rules->touching().end(corner); ++e)
+  for (const int corner : side.surface->space->triangles().row(hit.triangle))
+    for (const int* e = rules.touching().begin(corner); e != rules.touching().end(corner); ++e)
       if (*e != hit.triangle)
         look(*e);
+  return best;
+}
+
+// Of a point that is farther than an edge the place nearest to one an edge off the surface towards it,
+// again and again.
+Proximity::Place Proximity::nearest(std::size_t vesicle, const Vector3& x) const
+{
+  constexpr int sweeps = 5;
+  const auto& [tree, panels] = *searched_[vesicle];
+  const Side& side = sides_[vesicle];
+  const double edge = edge_of(*side.surface);
+  const TriangleTree::Hit hit = tree.nearest(x);
+  const bool near = hit.squared_distance <= edge * edge;
+  const auto corner = corners(tree.mesh(), hit.triangle);
+  Place best;
+  best.position =
+    hit.weights[0] * corner[0] + hit.weights[1] * corner[1] + hit.weights[2] * corner[2];
+  for (int sweep = 0; sweep < (near ? 1 : sweeps); ++sweep)
+    best = nearest_panel(side, tree, panels,
+      near ? x : Vector3(best.position + edge * (x - best.position).normalized()));
+  best.distance = (x - best.position).norm();
   if ((x - best.position).dot(best.normal) < 0)
     best.distance = -best.distance;
   return best;
@@ -142,7 +170,7 @@ Gap Proximity::between(const NearVertex& from) const
   };
   constexpr int sweeps = 4;
   const Surface& surface = *sides_[from.vesicle].surface;
-  double step = std::sqrt(surface.area / static_cast<double>(surface.vertices.rows())) / 3;
+  double step = edge_of(surface) / 3;
   Seen best{ surface.vertices.row(from.vertex).transpose(), from.place };
   for (int sweep = 0; sweep < sweeps; ++sweep, step /= 3)
   {
@@ -184,8 +212,7 @@ std::optional<Gap> Proximity::smallest() const
     else if (near.place.distance < first.back()->place.distance)
       first.back() = &near;
     least = std::min(least, near.place.distance);
-    const Surface& surface = *sides_[near.vesicle].surface;
-    edge = std::max(edge, std::sqrt(surface.area / static_cast<double>(surface.vertices.rows())));
+    edge = std::max(edge, edge_of(*sides_[near.vesicle].surface));
   }
   if (first.empty())
     return {};
@@ -214,7 +241,9 @@ Gap smallest_gap(const std::vector<Proximity::Side>& sides)
   double reach = std::numeric_limits<double>::infinity();
   for (const auto& x : from.rowwise())
     reach = std::min(reach, (to.rowwise() - x).rowwise().norm().minCoeff());
-  return *Proximity(sides, reach).smallest();
+  for (;; reach *= 1.1) // the vertices' own distances are as good as those along the surfaces
+    if (const auto gap = Proximity(sides, reach).smallest())
+      return *gap;
 }
 
 }

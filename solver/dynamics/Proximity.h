@@ -79,8 +79,7 @@ private:
   std::vector<NearVertex> near_;
 };
 
-/// The smallest gap, however large; to a hundredth where it is larger than the radii of curvature.
-/// With at least two vesicles.
+/// The smallest gap, however large. With at least two vesicles.
 Gap smallest_gap(const std::vector<Proximity::Side>& sides);
 
 }

@@ -45,7 +45,7 @@ struct Bodies
 };
 
 // Wherever the vertices are: the surface through them is within 1e-3 of the sphere at 320 triangles,
-// 2e-4 at 1,280. What is farther than the radius of curvature is found to a hundredth.
+// 2e-4 at 1,280; also farther away than the radius of curvature.
 TEST(Proximity, TheGapIsThatOfTheSurfaces)
 {
   for (const auto& [triangles, tolerance] : { std::pair(320, 1e-3), std::pair(1280, 2e-4) })
@@ -64,7 +64,7 @@ TEST(Proximity, TheGapIsThatOfTheSurfaces)
       }
   const Bodies apart(
     { test::smooth_sphere(320), turned(test::smooth_sphere(320), 0.7, { 0, 0, 4 }) });
-  EXPECT_NEAR(smallest_gap(apart.sides()).distance, 2, 0.02);
+  EXPECT_NEAR(smallest_gap(apart.sides()).distance, 2, 1e-3);
 }
 
 TEST(Proximity, NearestOfManyByTheirNumbers)
