@@ -5,6 +5,21 @@
 namespace vesicle
 {
 
+Scene Scene::alone(std::size_t number) const
+{
+  Scene scene = *this;
+  scene.companions.clear();
+  if (number > 0)
+  {
+    const Companion& own = companions.at(number - 1);
+    scene.vesicle = own.vesicle;
+    scene.membrane = own.membrane;
+    scene.fluid.viscosity_ratio = own.viscosity_ratio;
+    scene.gravity = own.gravity;
+  }
+  return scene;
+}
+
 Scene::Accuracy Scene::preset(Preset preset)
 {
   Accuracy accuracy; // the members' defaults are those of "balanced"

@@ -37,7 +37,8 @@ struct Scene
     Vector3 axis{ 0, 0, 1 };           ///< unit, where the shape's own z axis points to
     /// Unit axis x, y, z and angle in degrees; instead of `axis`, or to turn a mesh file.
     std::optional<std::array<double, 4>> rotation;
-    Vector3 center{ 0, 0, 0 }; ///< the volume's centroid at the start (shapes only)
+    Vector3 center{ 0, 0, 0 };          ///< the volume's centroid at the start (shapes only)
+    std::optional<Vector3> mesh_center; ///< that of a mesh file; empty: where it is
   } vesicle;
 
   struct Membrane
@@ -69,6 +70,21 @@ struct Scene
     double acceleration = 0;       ///< g
   };
   std::optional<Gravity> gravity; ///< empty: no buoyancy
+
+  /// A vesicle beside the first one, with what of it may be another's.
+  struct Companion
+  {
+    Vesicle vesicle;
+    Membrane membrane;
+    double viscosity_ratio = 1;
+    std::optional<Gravity> gravity;
+  };
+  /// The second vesicle and so on; all that stands above is the first one's.
+  std::vector<Companion> companions;
+
+  std::size_t vesicles() const { return 1 + companions.size(); }
+  /// The same scene with one of its vesicles, by its number from 0, and no other.
+  Scene alone(std::size_t vesicle) const;
 
   struct Time
   {

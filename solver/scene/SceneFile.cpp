@@ -79,12 +79,51 @@ void read_table(const SceneDocument& document, const SceneTable& table, Scene& s
     table.check(reader, scene);
 }
 
-Scene read_document(const SceneDocument& document)
+Scene read_vesicle(const SceneDocument& document)
 {
   Scene scene;
-  check_tables(document);
   for (const SceneTable& table : scene_schema())
     read_table(document, table, scene);
+  return scene;
+}
+
+/// No load and no table are the same to a vesicle beside others.
+std::optional<Scene::Gravity> load_of(const Scene& scene)
+{
+  return scene.gravity && scene.gravity->bond_number == 0. ? std::nullopt : scene.gravity;
+}
+
+/// What there is for a single vesicle only.
+void check_several(const SceneDocument& document, const Scene& scene)
+{
+  const auto refuse =
+    [&](const char* table, const char* key, const std::string& problem, const char* allowed)
+  {
+    TableReader(document, table)
+      .fail(key, fmt::format("{}, and there are {}", problem, scene.vesicles()), allowed);
+  };
+  if (scene.time.equilibrium)
+    refuse("time", "end", "an equilibrium is that of one vesicle", "a time, or \"steady\"");
+  if (scene.accuracy.mesh_motion == Scene::MeshMotion::adaptive)
+    refuse("accuracy", "mesh_motion", "\"adaptive\" lays the mesh of one vesicle anew",
+      "\"equidistribute\", \"material\"");
+  if (scene.accuracy.basis != Scene::Basis::loop)
+    refuse("accuracy", document.find("accuracy", "basis") ? "basis" : "preset",
+      "flat triangles feel one vesicle only", "\"balanced\" or \"accurate\", or basis = \"loop\"");
+}
+
+Scene read_document(const SceneDocument& document)
+{
+  check_tables(document);
+  Scene scene = read_vesicle(document.of_vesicle(0));
+  for (std::size_t v = 1; v < document.vesicles.size(); ++v)
+  {
+    const Scene other = read_vesicle(document.of_vesicle(v));
+    scene.companions.push_back(
+      { other.vesicle, other.membrane, other.fluid.viscosity_ratio, load_of(other) });
+  }
+  if (!scene.companions.empty())
+    check_several(document, scene);
   return scene;
 }
 
@@ -95,12 +134,19 @@ SceneDocument document_of(
 }
 
 /// A missing mesh is better said here, with the scene's line, than when it is read.
-void check_mesh_exists(const SceneDocument& document, const Scene& scene)
+void check_meshes_exist(const SceneDocument& document, const Scene& scene)
 {
-  if (scene.vesicle.mesh_file && !is_there(*scene.vesicle.mesh_file))
-    TableReader(document, "vesicle")
-      .fail("file", fmt::format("there is no {}", scene.vesicle.mesh_file->string()),
-        "the path of a mesh, relative to the scene's folder or absolute");
+  for (std::size_t v = 0; v < scene.vesicles(); ++v)
+  {
+    const auto& mesh = v == 0 ? scene.vesicle.mesh_file : scene.companions[v - 1].vesicle.mesh_file;
+    if (mesh && !is_there(*mesh))
+    {
+      const SceneDocument own = document.of_vesicle(v);
+      TableReader(own, "vesicle")
+        .fail("file", fmt::format("there is no {}", mesh->string()),
+          "the path of a mesh, relative to the scene's folder or absolute");
+    }
+  }
 }
 
 }
@@ -109,7 +155,7 @@ Scene read_scene(const std::filesystem::path& file, const std::vector<std::strin
 {
   const SceneDocument document = document_of(file, overrides);
   Scene scene = read_document(document);
-  check_mesh_exists(document, scene);
+  check_meshes_exist(document, scene);
   scene.file = std::filesystem::absolute(file).lexically_normal();
   return scene;
 }
@@ -124,9 +170,12 @@ std::string annotated_scene(
   const std::filesystem::path& file, const std::vector<std::string>& overrides)
 {
   const SceneDocument document = document_of(file, overrides);
-  const auto remark = [&](const SceneTable& table, const SceneKey& key)
+  std::vector<SceneDocument> of_vesicles;
+  for (std::size_t v = 0; v < document.vesicles.size(); ++v)
+    of_vesicles.push_back(document.of_vesicle(v));
+  const auto remark = [&](const SceneTable& table, const SceneKey& key, std::size_t vesicle)
   {
-    const std::string origin = document.find(table.name, key.name) ? "" : "by default";
+    const std::string origin = of_vesicles[vesicle].find(table.name, key.name) ? "" : "by default";
     return origin.empty() || key.unit.empty() ? origin + key.unit : key.unit + "; " + origin;
   };
   return write_scene(read_document(document), remark);

@@ -2,10 +2,13 @@
 
 #include "solver/scene/SceneWriter.h"
 
+#include "solver/scene/SceneDocument.h"
 #include "solver/scene/SceneFile.h"
 #include "solver/scene/SceneSchema.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace vesicle
 {
@@ -20,18 +23,66 @@ std::string line_of(const std::string& setting, const std::string& remark)
                         : fmt::format("{:<{}} # {}\n", setting, remark_column, remark);
 }
 
-std::string table_text(const SceneTable& table, const Scene& scene, const KeyRemark& remark)
+std::string keys_text(
+  const SceneTable& table, const Scene& scene, const KeyRemark& remark, std::size_t vesicle)
 {
-  std::string text = table.name.empty() ? "" : fmt::format("\n[{}]\n", table.name);
+  std::string text;
   const std::string variant = table.variant_of ? table.variant_of(scene) : "";
   for (const SceneKey& key : table.keys)
     if (key.goes_with(variant) && (!key.shown || key.shown(scene)))
     {
       const std::string value = key.write(scene);
       if (!value.empty())
-        text += line_of(fmt::format("{} = {}", key.name, value), remark(table, key));
+        text += line_of(fmt::format("{} = {}", key.name, value), remark(table, key, vesicle));
     }
   return text;
+}
+
+std::string nothing(const SceneTable&, const SceneKey&, std::size_t)
+{
+  return {};
+}
+
+/// The tables of a vesicle beside the first, where they aren't as the first's: a whole table each.
+std::string own_tables_text(Scene first, Scene own, const KeyRemark& remark, std::size_t vesicle)
+{
+  for (Scene* scene : { &first, &own })
+    if (!scene->gravity)
+      scene->gravity = Scene::Gravity{ 0., 0, 0 };
+  own.fluid.viscosity = first.fluid.viscosity;
+  std::string text;
+  for (const SceneTable& table : scene_schema())
+  {
+    const bool may = std::ranges::find(own_tables(), table.name) != own_tables().end();
+    if (!may || keys_text(table, own, nothing, 0) == keys_text(table, first, nothing, 0))
+      continue;
+    SceneTable rest = table;
+    std::erase_if(
+      rest.keys, [&](const SceneKey& key) { return is_of_the_scene(table.name, key.name); });
+    text += fmt::format("\n[vesicle.{}]\n{}", table.name, keys_text(rest, own, remark, vesicle));
+  }
+  return text;
+}
+
+std::string vesicles_text(const SceneTable& table, const Scene& scene, const KeyRemark& remark)
+{
+  std::string text;
+  const Scene first = scene.alone(0);
+  for (std::size_t v = 0; v < scene.vesicles(); ++v)
+  {
+    const Scene own = scene.alone(v);
+    text += fmt::format("\n[[{}]]\n{}", table.name, keys_text(table, own, remark, v));
+    text += own_tables_text(first, own, remark, v);
+  }
+  return text;
+}
+
+std::string table_text(const SceneTable& table, const Scene& scene, const KeyRemark& remark)
+{
+  if (table.name == "vesicle" && scene.vesicles() > 1)
+    return vesicles_text(table, scene, remark);
+  return (table.name.empty() ? "" : fmt::format("\n[{}]\n", table.name)) +
+    keys_text(table, scene, remark, 0);
 }
 
 }
@@ -47,7 +98,7 @@ std::string write_scene(const Scene& scene, const KeyRemark& remark)
 
 std::string write_scene(const Scene& scene)
 {
-  return write_scene(scene, [](const SceneTable&, const SceneKey&) { return std::string(); });
+  return write_scene(scene, nothing);
 }
 
 }

@@ -9,8 +9,10 @@
 namespace vesicle
 {
 
-/// What is to be said of a key, in a comment behind it; empty: nothing.
-using KeyRemark = std::function<std::string(const SceneTable&, const SceneKey&)>;
+/// What is to be said of a key of a vesicle (0 where it is the scene's), in a comment behind it;
+/// empty: nothing.
+using KeyRemark =
+  std::function<std::string(const SceneTable&, const SceneKey&, std::size_t vesicle)>;
 
 /// write_scene() with remarks.
 std::string write_scene(const Scene& scene, const KeyRemark& remark);

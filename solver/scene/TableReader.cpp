@@ -69,7 +69,10 @@ const SceneValue& TableReader::at(const std::string& key) const
 
 std::string TableReader::path(const std::string& key) const
 {
-  return table_.empty() ? key : table_ + "." + key;
+  const auto* entry = document_.find_entry(table_, key);
+  const auto* table = document_.find_table(table_);
+  const std::string& shown = entry ? entry->shown : table ? table->shown : table_;
+  return shown.empty() ? key : shown + "." + key;
 }
 
 std::string TableReader::place() const

@@ -62,6 +62,17 @@ struct Rotation
   std::string allowed() const { return "[axis x, y, z, degrees], the axis not all 0"; }
 };
 
+/// Where one is given.
+struct OptionalPoint
+{
+  void read(const TableReader& table, const std::string& key, std::optional<Vector3>& target) const
+  {
+    table.read(key, target);
+  }
+  std::string write(const std::optional<Vector3>& value) const { return to_toml(value); }
+  std::string allowed() const { return rules::Point{}.allowed(); }
+};
+
 struct Modes
 {
   void read(const TableReader& table, const std::string& key, std::vector<ShapeMode>& target) const
@@ -182,6 +193,10 @@ std::vector<SceneKey> vesicle_keys()
     key("center", at(&Scene::vesicle, &Vesicle::center), rules::Point{}, "length",
       "centroid of the volume")
       .with(shapes),
+    key("center", at(&Scene::vesicle, &Vesicle::mesh_center), OptionalPoint{}, "length",
+      "where the mesh's centroid of the volume is moved to")
+      .with({ from_file })
+      .otherwise("where it is"),
     key("semi_axes", in_shape(&ShapeRequest::semi_axes), rules::Number{ positive, "[a, b, c]" }, "",
       "along x, y, z, to be scaled to the radius; with a reduced volume first raised to a common "
       "power until it holds")
@@ -205,7 +220,13 @@ SceneTable vesicle_table()
 {
   SceneTable table;
   table.name = "vesicle";
-  table.help = "The start: a shape, or a mesh from a file.";
+  table.help =
+    "The start: a shape, or a mesh from a file. Of several vesicles each has a table "
+    "`[[vesicle]]`. "
+    "Tables\n`[vesicle.membrane]`, `[vesicle.fluid]` (but for the viscosity outside) and "
+    "`[vesicle.gravity]` after it stand in place of the\nscene's for that vesicle. They are "
+    "numbered "
+    "from 0: `--set vesicle.1.triangles=320`, `--set vesicle.triangles=320` for all.";
   table.keys = vesicle_keys();
   table.variants = {
     { shape_name(Kind::sphere), "a sphere" },

@@ -99,7 +99,7 @@ TriangleMesh place_start_mesh(const Scene& scene, TriangleMesh mesh, std::string
   }
   if (scene.vesicle.rotation)
     mesh.points = (mesh.points * orientation(scene.vesicle).transpose()).eval();
-  mesh.points.rowwise() += center.transpose();
+  mesh.points.rowwise() += scene.vesicle.mesh_center.value_or(center).transpose();
   return mesh;
 }
 

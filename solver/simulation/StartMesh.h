@@ -15,7 +15,7 @@ TriangleMesh make_start_mesh(const Scene& scene);
 std::string check_start_shape(const Scene& scene, const TriangleMesh& mesh);
 
 /// Places a mesh that was read from the scene's mesh_file: resampled if the scene asks for a number
-/// of triangles, scaled to the radius, rotated about its centroid. `notes` tells what was changed.
+/// of triangles, scaled to the radius, rotated about its centroid, moved to the center. `notes` tells what was changed.
 /// Throws InputError.
 TriangleMesh place_start_mesh(const Scene& scene, TriangleMesh mesh, std::string& notes);
 
