@@ -86,10 +86,20 @@ std::vector<std::string> lines_of(const std::optional<Scene>& scene)
 {
   std::vector<std::string> lines;
   std::istringstream text(scene ? write_scene(*scene) : "");
-  std::string table;
+  std::string table, vesicle = "vesicle";
+  int vesicles = 0;
   for (std::string line; std::getline(text, line);)
   {
-    if (line.starts_with('['))
+    if (line.starts_with("[["))
+    {
+      vesicle = fmt::format("vesicle.{}", vesicles++);
+      table = vesicle + ".";
+    }
+    else if (line.starts_with("[vesicle."))
+    {
+      table = vesicle + line.substr(8, line.size() - 9) + ".";
+    }
+    else if (line.starts_with('['))
     {
       table = line.substr(1, line.size() - 2) + ".";
     }
@@ -151,15 +161,23 @@ std::vector<std::string> columns_of(
   return wanted.empty() ? usual_columns() : wanted;
 }
 
-/// The row of that time; empty values where there is none.
-std::vector<std::optional<double>> values_at(const std::optional<RunTable>& table, double time,
-  double tolerance, const std::vector<std::string>& columns)
+std::size_t vesicles_of(const FoundRun& a, const FoundRun& b)
+{
+  return a.beside.table && b.beside.table
+    ? std::min(a.beside.table->vesicles(), b.beside.table->vesicles())
+    : 1;
+}
+
+/// The vesicle's row of that time; empty values where there is none.
+std::vector<std::optional<double>> values_at(const std::optional<RunTable>& of_all,
+  std::size_t vesicle, double time, double tolerance, const std::vector<std::string>& columns)
 {
   std::vector<std::optional<double>> values(columns.size());
-  if (!table)
+  if (!of_all)
   {
     return values;
   }
+  const RunTable own = of_all->of_vesicle(vesicle), *table = &own;
   const auto times = table->column("time");
   const auto row = std::find_if(times.begin(), times.end(),
     [&](const auto& t) { return t && std::abs(*t - time) <= tolerance; });
@@ -237,7 +255,15 @@ RunComparison compare_runs(const path& a, const path& b, const CompareSettings& 
   const FoundRun first = run_of(a), second = run_of(b);
   RunComparison result;
   result.settings = different_settings(first.beside.scene, second.beside.scene);
-  result.columns = columns_of(first, second, settings.columns);
+  const std::vector<std::string> columns = columns_of(first, second, settings.columns);
+  const std::size_t vesicles = vesicles_of(first, second);
+  for (std::size_t v = 0; v < vesicles; ++v)
+  {
+    for (const std::string& column : columns)
+    {
+      result.columns.push_back(vesicles == 1 ? column : fmt::format("{} of {}", column, v));
+    }
+  }
   double longest = 0;
   for (const SeriesFrame& frame : first.frames)
   {
@@ -254,11 +280,14 @@ RunComparison compare_runs(const path& a, const path& b, const CompareSettings& 
     }
     RunComparison::Moment moment{ frame.time, distance_of(frame.file, twin->file, settings.centred),
       {} };
-    const auto here = values_at(first.beside.table, frame.time, tolerance, result.columns);
-    const auto there = values_at(second.beside.table, frame.time, tolerance, result.columns);
-    for (std::size_t i = 0; i < here.size(); ++i)
+    for (std::size_t v = 0; v < vesicles; ++v)
     {
-      moment.values.push_back({ here[i], there[i] });
+      const auto here = values_at(first.beside.table, v, frame.time, tolerance, columns);
+      const auto there = values_at(second.beside.table, v, frame.time, tolerance, columns);
+      for (std::size_t i = 0; i < here.size(); ++i)
+      {
+        moment.values.push_back({ here[i], there[i] });
+      }
     }
     result.moments.push_back(std::move(moment));
   }

@@ -1,40 +1,36 @@
 #include "apps/CsvFile.h"
 
 #include "solver/Joined.h"
-#include "solver/dynamics/Diagnostics.h"
 #include "solver/files/FileBytes.h"
 
 #include <fmt/format.h>
 
 #include <string>
+#include <utility>
 
 namespace vesicle
 {
 namespace
 {
 
-std::string header()
+std::string lines_of(const Row& row, std::size_t columns)
 {
-  return joined(Diagnostics::names(), ",") + '\n';
-}
-
-std::string line_of(const Row& row)
-{
-  std::string line;
+  std::string text;
   for (std::size_t i = 0; i < row.size(); ++i)
   {
-    line += i > 0 ? "," : "";
-    line += row[i] ? fmt::format("{}", *row[i]) : "";
+    text += row[i] ? fmt::format("{}", *row[i]) : "";
+    text += (i + 1) % columns == 0 ? '\n' : ',';
   }
-  return line + '\n';
+  return text;
 }
 
-OpenFile written(const std::filesystem::path& file, const std::vector<Row>& rows)
+OpenFile written(const std::filesystem::path& file, const std::vector<std::string>& columns,
+  const std::vector<Row>& rows)
 {
-  std::string text = header();
+  std::string text = joined(columns, ",") + '\n';
   for (const Row& row : rows)
   {
-    text += line_of(row);
+    text += lines_of(row, columns.size());
   }
   replace_file(file, text);
   return OpenFile(file);
@@ -42,14 +38,15 @@ OpenFile written(const std::filesystem::path& file, const std::vector<Row>& rows
 
 }
 
-CsvFile::CsvFile(const std::filesystem::path& file, const std::vector<Row>& rows)
-  : file_(written(file, rows))
+CsvFile::CsvFile(
+  const std::filesystem::path& file, std::vector<std::string> columns, const std::vector<Row>& rows)
+  : columns_(std::move(columns)), file_(written(file, columns_, rows))
 {
 }
 
 void CsvFile::append(const Row& row)
 {
-  file_.append(line_of(row));
+  file_.append(lines_of(row, columns_.size()));
 }
 
 void CsvFile::close()

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace vesicle
@@ -13,14 +14,16 @@ namespace vesicle
 /// One row of the table; a missing value leaves its field empty.
 using Row = std::vector<std::optional<double>>;
 
-/// Columns are those of Diagnostics::names(). Numbers are the shortest that read back to the same
+/// Numbers are the shortest that read back to the same
 /// double, so that a table written again from them is the same to the byte. All functions throw
 /// IoError.
 class CsvFile
 {
 public:
-  /// Replaces the file by one with these rows and goes on behind them.
-  CsvFile(const std::filesystem::path& file, const std::vector<Row>& rows);
+  /// Replaces the file by one with these rows and goes on behind them. A row longer than there are
+  /// columns is several lines, one after the other: those of a step's vesicles.
+  CsvFile(const std::filesystem::path& file, std::vector<std::string> columns,
+    const std::vector<Row>& rows);
 
   /// The row is in the file as a whole, or not at all.
   void append(const Row& row);
@@ -28,6 +31,7 @@ public:
   void close();
 
 private:
+  std::vector<std::string> columns_;
   OpenFile file_;
 };
 

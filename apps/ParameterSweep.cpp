@@ -4,12 +4,12 @@
 #include "apps/Commands.h"
 #include "apps/Interrupt.h"
 #include "apps/RunReport.h"
+#include "apps/RunTable.h"
 #include "apps/StandardOutput.h"
 #include "apps/Warning.h"
 
 #include "solver/Errors.h"
 #include "solver/Joined.h"
-#include "solver/dynamics/Diagnostics.h"
 #include "solver/files/FileBytes.h"
 #include "solver/scene/SceneFile.h"
 
@@ -210,9 +210,25 @@ void ParameterSweep::write_table() const
     names.push_back(range.key);
   }
   names.push_back("state");
-  const auto& columns = Diagnostics::names();
+  const auto columns = run_columns(read_scene(settings_.scene, settings_.overrides).vesicles());
   names.insert(names.end(), columns.begin(), columns.end());
   std::string text = joined(names, ",") + "\n";
+  const auto add_row = [&](const GridPoint& point, const RunReport& report, const auto& last)
+  {
+    std::vector<std::string> row{ point.name };
+    for (const std::string& value : point.values)
+    {
+      row.push_back(field(value));
+    }
+    row.push_back(report.state);
+    for (const auto& column : columns)
+    {
+      const auto found = last.find(column);
+      row.push_back(
+        found != last.end() && found->second ? fmt::format("{}", *found->second) : std::string());
+    }
+    text += joined(row, ",") + "\n";
+  };
   for (const GridPoint& point : grid_)
   {
     RunReport report;
@@ -224,19 +240,11 @@ void ParameterSweep::write_table() const
     catch (const InputError&) // nothing was begun there
     {
     }
-    std::vector<std::string> row{ point.name };
-    for (const std::string& value : point.values)
+    add_row(point, report, report.last);
+    for (const auto& last : report.others)
     {
-      row.push_back(field(value));
+      add_row(point, report, last);
     }
-    row.push_back(report.state);
-    for (const auto& column : columns)
-    {
-      const auto found = report.last.find(std::string(column));
-      row.push_back(found != report.last.end() && found->second ? fmt::format("{}", *found->second)
-                                                                : std::string());
-    }
-    text += joined(row, ",") + "\n";
   }
   make_folder(settings_.folder);
   replace_file(table(), text);

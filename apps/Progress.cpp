@@ -58,8 +58,9 @@ std::string Progress::remaining(double time) const
   return ", " + duration_text(spent.count() * (*end_ - time) / (time - start_)) + " left";
 }
 
-void Progress::step(const Diagnostics& d)
+void Progress::step(const std::vector<Diagnostics>& vesicles)
 {
+  const Diagnostics& d = vesicles.front();
   const auto now = Clock::now();
   const auto interval = terminal_ ? terminal_interval : std::chrono::milliseconds(log_interval);
   if (quiet_ || (last_shown_ && now - *last_shown_ < interval))
@@ -67,11 +68,19 @@ void Progress::step(const Diagnostics& d)
     return;
   }
   last_shown_ = now;
-  overwrite(fmt::format(
-    "step {}, t = {:.5g}{}, dt = {:.2g}, U = {:.4g}, E/8piEB = {:.5f}, area drift {:.0e}, "
-    "volume drift {:.0e}{}",
-    d.step, d.time, end_ ? fmt::format(" of {:.5g}", *end_) : "", d.dt, length(d.velocity),
-    d.energy_over_8pi, d.area_drift, d.volume_drift, remaining(d.time)));
+  double area = 0, volume = 0;
+  for (const Diagnostics& vesicle : vesicles)
+  {
+    area = std::abs(vesicle.area_drift) >= std::abs(area) ? vesicle.area_drift : area;
+    volume = std::abs(vesicle.volume_drift) >= std::abs(volume) ? vesicle.volume_drift : volume;
+  }
+  const std::string what = vesicles.size() > 1
+    ? fmt::format("{} vesicles", vesicles.size())
+    : fmt::format("U = {:.4g}, E/8piEB = {:.5f}", length(d.velocity), d.energy_over_8pi);
+  overwrite(
+    fmt::format("step {}, t = {:.5g}{}, dt = {:.2g}, {}, area drift {:.0e}, volume drift {:.0e}{}",
+      d.step, d.time, end_ ? fmt::format(" of {:.5g}", *end_) : "", d.dt, what, area, volume,
+      remaining(d.time)));
 }
 
 void Progress::count(const std::string& what, int done, int total)

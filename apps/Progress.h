@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace vesicle
 {
@@ -19,7 +20,8 @@ public:
   Progress(bool quiet, double start, std::optional<double> end);
   ~Progress();
 
-  void step(const Diagnostics& diagnostics);
+  /// Of each vesicle.
+  void step(const std::vector<Diagnostics>& vesicles);
   /// A line of its own.
   void say(const std::string& text);
   /// "what 3/20", written over on a terminal; in a log only the last.

@@ -60,8 +60,7 @@ Run::Run(Scene scene, const std::filesystem::path& folder, const RunOptions& opt
 int Run::carry_out()
 {
   watch_for_interrupts();
-  require_affordable(scene_, scene_.vesicle.mesh_file ? 0 : scene_.vesicle.shape.triangles,
-    resources_for(folder_.folder()));
+  require_affordable(scene_, shape_triangles(scene_), resources_for(folder_.folder()));
   const bool existing = !folder_.files().empty();
   if (existing)
   {
@@ -127,7 +126,7 @@ void Run::take_folder()
   }
   checkpoint_ = create_checkpoint();
   folder_.clear_but_checkpoint();
-  table_.emplace(folder_.table(), std::vector<Row>{});
+  table_.emplace(folder_.table(), run_columns(scene_.vesicles()), std::vector<Row>{});
   progress_.emplace(options_.quiet, 0, scene_.time.end);
   progress_->say(to_text(stepper_->GetSimulation()->numbers()));
   if (!stepper_->GetSimulation()->notes().empty())
@@ -204,7 +203,7 @@ bool Run::go_on()
   resumed_ = true;
 
   folder_.sweep();
-  table_.emplace(folder_.table(), checkpoint_->series());
+  table_.emplace(folder_.table(), run_columns(scene_.vesicles()), checkpoint_->series());
   series_.keep(times, stepper_->GetOutput());
   if (schedule.due(state) || stepper_->GetFinished())
   {
@@ -260,7 +259,7 @@ void Run::on_step()
   try
   {
     record();
-    progress_->step(stepper_->GetDiagnostics());
+    progress_->step(stepper_->GetAllDiagnostics());
   }
   catch (...)
   {
@@ -275,10 +274,10 @@ void Run::on_step()
 void Run::record()
 {
   const State& state = *stepper_->GetState();
-  const Row row = stepper_->GetDiagnostics().values();
+  const Row row = run_row(stepper_->GetAllDiagnostics());
   try
   {
-    require_finite(state, Diagnostics::names(), row);
+    require_finite(state, run_columns(state.vesicles.size()), row);
   }
   catch (const NumericalError& error) // not to be saved as a good state
   {
@@ -337,12 +336,12 @@ RunFile Run::create_checkpoint() const
   Simulation& simulation = *stepper_->GetSimulation();
   RunFile::Header header;
   header.scene = write_scene(scene_);
-  header.triangles = { simulation.start_mesh().triangles };
+  header.triangles = simulation.start_triangles();
   header.length_scale = simulation.scales().length;
   header.time_scale = simulation.scales().time();
   header.energy_scale = simulation.scales().energy;
   header.viscosity = simulation.scales().viscosity;
-  header.columns = Diagnostics::names();
+  header.columns = run_columns(simulation.vesicles());
   return RunFile::create(folder_.checkpoint(), header);
 }
 
@@ -380,7 +379,7 @@ void Run::summarize()
   summary_.message = message_;
   if (rows_ > 0)
   {
-    summary_.last = stepper_->GetDiagnostics();
+    summary_.last = stepper_->GetAllDiagnostics();
     estimate_errors();
     summary_.steps = stepper_->GetState()->step - first_step_;
   }
@@ -416,7 +415,9 @@ std::string Run::leave_bundle(const RunTable& table) const
   bundle.good = rows_ > 0 ? simulation.mesh(*stepper_->GetState()) : simulation.start_mesh();
   bundle.time = rows_ > 0 ? stepper_->GetState()->time : 0;
   bundle.failing = failing_;
+  bundle.columns = table.columns;
   bundle.rows = table.rows;
+  bundle.vesicles = scene_.vesicles();
   return doing("writing " + folder_.stopped().string(),
     [&] { return write_stop_bundle(scene_, bundle, folder_.stopped()); });
 }
@@ -476,7 +477,7 @@ void Run::draw(const RunTable& table)
 void Run::finish()
 {
   writing_.wait();
-  const RunTable table = run_table(checkpoint_->series());
+  const RunTable table = run_table(scene_.vesicles(), checkpoint_->series());
   rows_ = checkpoint_->rows();
   checkpoint_->close();
   table_->close();

@@ -2,6 +2,8 @@
 
 #include "solver/Errors.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -62,14 +64,15 @@ bool says_something(const std::string& subject, const Scene& scene)
 struct Course
 {
   Line line;
+  std::size_t vesicle;
   std::vector<double> time;
   std::vector<double> value;
 };
 
-Course course_of(const RunTable& table, const Line& line)
+Course course_of(const RunTable& table, const Line& line, std::size_t vesicle)
 {
   const auto time = table.column("time"), values = table.column(line.column);
-  Course course{ line, {}, {} };
+  Course course{ line, vesicle, {}, {} };
   for (std::size_t i = 0; i < values.size(); ++i)
   {
     if (time[i] && values[i])
@@ -91,15 +94,43 @@ double largest(const Course& course)
   return value;
 }
 
+std::vector<RunTable> tables_of_vesicles(const RunTable& table)
+{
+  const std::size_t count = table.vesicles();
+  std::vector<RunTable> tables;
+  for (std::size_t v = 0; v < count; ++v)
+  {
+    tables.push_back(count == 1 ? table : table.of_vesicle(v));
+  }
+  return tables;
+}
+
+/// In the legend of a chart of so many lines. More than it has room for are told apart by nobody.
+std::string label_of(const Course& course, std::size_t vesicles, std::size_t lines)
+{
+  constexpr std::size_t most_labels = 12;
+  if (vesicles == 1)
+  {
+    return course.line.label;
+  }
+  const std::string line = course.line.label;
+  return lines > most_labels ? ""
+                             : fmt::format("{}{}{}", course.vesicle, line.empty() ? "" : " ", line);
+}
+
 /// Without those that are missing, or nothing but rounding beside the others.
 std::vector<Course> courses_of(const Subject& subject, const RunTable& table)
 {
   std::vector<Course> courses;
   double scale = 0;
-  for (const Line& line : subject.lines)
+  for (const RunTable& own : tables_of_vesicles(table))
   {
-    courses.push_back(course_of(table, line));
-    scale = std::max(scale, largest(courses.back()));
+    const std::size_t vesicle = courses.size() / subject.lines.size();
+    for (const Line& line : subject.lines)
+    {
+      courses.push_back(course_of(own, line, vesicle));
+      scale = std::max(scale, largest(courses.back()));
+    }
   }
   std::erase_if(courses,
     [scale](const Course& course)
@@ -121,9 +152,11 @@ std::optional<ChartSpec> run_chart(const std::string& name, const RunTable& tabl
   chart.title = subject.title;
   chart.x_label = "time";
   chart.y_label = subject.y_label;
+  const std::size_t vesicles = table.vesicles();
   for (const Course& course : courses)
   {
-    chart.lines.push_back({ course.line.label, course.time, course.value });
+    chart.lines.push_back(
+      { label_of(course, vesicles, courses.size()), course.time, course.value });
   }
   if (chart.lines.size() == 1 && !chart.lines[0].label.empty())
   {
@@ -138,7 +171,10 @@ std::vector<std::string> chart_columns(const std::string& name, const RunTable& 
   std::vector<std::string> columns;
   for (const Course& course : courses_of(subject_of(name), table))
   {
-    columns.emplace_back(course.line.column);
+    if (std::find(columns.begin(), columns.end(), course.line.column) == columns.end())
+    {
+      columns.emplace_back(course.line.column);
+    }
   }
   return columns;
 }

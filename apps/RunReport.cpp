@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <vector>
@@ -40,9 +41,15 @@ void take_last_row(const RunTable& table, RunReport& report)
   {
     return;
   }
-  for (std::size_t i = 0; i < table.columns.size(); ++i)
+  const std::size_t vesicles = table.vesicles();
+  report.others.resize(vesicles - 1);
+  for (std::size_t v = 0; v < vesicles; ++v)
   {
-    report.last[table.columns[i]] = table.rows.back()[i];
+    const RunTable own = vesicles > 1 ? table.of_vesicle(v) : table;
+    for (std::size_t i = 0; i < table.columns.size() && !own.rows.empty(); ++i)
+    {
+      (v == 0 ? report.last : report.others[v - 1])[table.columns[i]] = own.rows.back()[i];
+    }
   }
   report.time = report.last["time"].value_or(0);
 }
@@ -138,19 +145,43 @@ const std::vector<Line>& lines_of_last_row()
   return lines;
 }
 
+/// Of several vesicles from the least to the largest.
+std::string values_text(const RunReport& r, const char* column)
+{
+  std::vector<double> values;
+  const auto add = [&](const RunReport::LastRow& row)
+  {
+    const auto found = row.find(column);
+    if (found != row.end() && found->second)
+    {
+      values.push_back(*found->second);
+    }
+  };
+  add(r.last);
+  std::for_each(r.others.begin(), r.others.end(), add);
+  if (values.empty())
+  {
+    return {};
+  }
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  return *least == *most ? fmt::format("{} {:.6g}", column, *least)
+                         : fmt::format("{} {:.6g} to {:.6g}", column, *least, *most);
+}
+
 std::string last_row_text(const RunReport& r)
 {
   std::string text;
+  if (!r.others.empty())
+  {
+    text += fmt::format("  {:<16} {}\n", "vesicles", r.others.size() + 1);
+  }
   for (const Line& line : lines_of_last_row())
   {
     std::string values;
     for (const char* column : line.columns)
     {
-      const auto found = r.last.find(column);
-      if (found != r.last.end() && found->second)
-      {
-        values += fmt::format("{}{} {:.6g}", values.empty() ? "" : ", ", column, *found->second);
-      }
+      const std::string value = values_text(r, column);
+      values += (values.empty() || value.empty() ? "" : ", ") + value;
     }
     if (!values.empty())
     {
@@ -204,10 +235,23 @@ std::string to_text(const RunReport& r)
 
 nlohmann::ordered_json to_json(const RunReport& r)
 {
-  Json last = Json::object();
-  for (const auto& [column, value] : r.last)
+  const auto object_of = [](const RunReport::LastRow& row)
   {
-    last[column] = json_number(value);
+    Json object = Json::object();
+    for (const auto& [column, value] : row)
+    {
+      object[column] = json_number(value);
+    }
+    return object;
+  };
+  Json last = object_of(r.last);
+  if (!r.others.empty()) // a list of all vesicles
+  {
+    last = Json::array({ last });
+    for (const RunReport::LastRow& row : r.others)
+    {
+      last.push_back(object_of(row));
+    }
   }
   return { { "folder", r.folder.string() }, { "name", r.name }, { "state", r.state },
     { "reason", r.reason }, { "go_on_with", r.remedy }, { "time", r.time },

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace vesicle
 {
@@ -23,7 +24,9 @@ struct RunReport
   std::size_t frames = 0;
   double last_frame_time = 0;
   std::filesystem::path last_frame;
-  std::map<std::string, std::optional<double>> last; ///< row of the table, by column
+  using LastRow = std::map<std::string, std::optional<double>>;
+  LastRow last;                ///< row of the table, by column; of several vesicles the first's
+  std::vector<LastRow> others; ///< of the further vesicles
 };
 
 /// Of the one run in a folder; nothing there is changed, and it may be under way. Throws

@@ -1,12 +1,14 @@
 #include "apps/RunResume.h"
 
+#include "apps/RunTable.h"
+
 #include "solver/Errors.h"
-#include "solver/dynamics/Diagnostics.h"
 #include "solver/simulation/Simulation.h"
 #include "solver/scene/SceneFile.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 #include <vector>
 
@@ -68,7 +70,7 @@ Scene scene_of(const RunFile& run, const std::filesystem::path& file)
 
 void require_same_scene(const Scene& scene, const RunFile& run, const std::filesystem::path& file)
 {
-  if (run.header().columns != Diagnostics::names())
+  if (run.header().columns != run_columns(run.header().triangles.size()))
   {
     refuse_version(file, "other columns");
   }
@@ -94,8 +96,8 @@ void require_same_mesh(
   Simulation& simulation, const RunFile& run, const std::filesystem::path& file)
 {
   const auto& then = run.header().triangles;
-  const Triangles& now = simulation.start_mesh().triangles;
-  if (then.size() != 1 || !same_triangles(then[0], now) ||
+  const std::vector<Triangles> now = simulation.start_triangles();
+  if (!std::equal(then.begin(), then.end(), now.begin(), now.end(), same_triangles) ||
     simulation.scales().length != run.header().length_scale)
   {
     throw InputError(file.string() +

@@ -40,10 +40,54 @@ std::vector<std::optional<double>> RunTable::column(const std::string& name) con
   return values;
 }
 
-RunTable run_table(std::vector<Row> rows)
+std::size_t RunTable::vesicles() const
 {
-  const auto& names = Diagnostics::names();
-  return { { names.begin(), names.end() }, std::move(rows) };
+  double largest = 0;
+  for (const auto& number : column("vesicle"))
+    largest = std::max(largest, number.value_or(0));
+  return static_cast<std::size_t>(largest) + 1;
+}
+
+RunTable RunTable::of_vesicle(std::size_t vesicle) const
+{
+  const auto numbers = column("vesicle");
+  RunTable own{ columns, {} };
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (numbers[i].value_or(0) == static_cast<double>(vesicle))
+      own.rows.push_back(rows[i]);
+  return own;
+}
+
+std::vector<std::string> run_columns(std::size_t vesicles)
+{
+  std::vector<std::string> columns;
+  if (vesicles > 1)
+    columns.emplace_back("vesicle");
+  columns.insert(columns.end(), Diagnostics::names().begin(), Diagnostics::names().end());
+  return columns;
+}
+
+Row run_row(const std::vector<Diagnostics>& vesicles)
+{
+  Row row;
+  for (std::size_t v = 0; v < vesicles.size(); ++v)
+  {
+    if (vesicles.size() > 1)
+      row.emplace_back(static_cast<double>(v));
+    const auto values = vesicles[v].values();
+    row.insert(row.end(), values.begin(), values.end());
+  }
+  return row;
+}
+
+RunTable run_table(std::size_t vesicles, const std::vector<Row>& steps)
+{
+  RunTable table{ run_columns(vesicles), {} };
+  const auto length = static_cast<std::ptrdiff_t>(table.columns.size());
+  for (const Row& step : steps)
+    for (auto first = step.begin(); first != step.end(); first += length)
+      table.rows.emplace_back(first, first + length);
+  return table;
 }
 
 RunTable read_run_table(const std::filesystem::path& file)

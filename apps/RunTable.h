@@ -10,6 +10,8 @@
 namespace vesicle
 {
 
+struct Diagnostics;
+
 struct RunTable
 {
   std::vector<std::string> columns;
@@ -17,10 +19,18 @@ struct RunTable
 
   /// The column's values; all missing where there is no such column.
   std::vector<std::optional<double>> column(const std::string& name) const;
+  /// How many vesicles have rows; a table without the column `vesicle` is of one.
+  std::size_t vesicles() const;
+  /// The rows of one of them, from 0.
+  RunTable of_vesicle(std::size_t vesicle) const;
 };
 
-/// With the columns of Diagnostics.
-RunTable run_table(std::vector<Row> rows);
+/// The columns of a run's table: those of Diagnostics, after `vesicle` where there are several.
+std::vector<std::string> run_columns(std::size_t vesicles);
+/// What a step adds to it: the rows of all vesicles, one after the other.
+Row run_row(const std::vector<Diagnostics>& vesicles);
+/// Of such rows.
+RunTable run_table(std::size_t vesicles, const std::vector<Row>& steps);
 
 /// Reads a table that CsvFile wrote. Throws IoError when it can't be read, InputError naming the
 /// line that is none of a table of numbers.

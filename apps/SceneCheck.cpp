@@ -4,6 +4,7 @@
 #include "apps/RunFolder.h"
 
 #include "solver/Joined.h"
+#include "solver/mesh/JoinedMesh.h"
 #include "solver/mesh/MeshIntegrals.h"
 #include "solver/simulation/EquilibriumOfScene.h"
 #include "solver/simulation/Simulation.h"
@@ -22,16 +23,25 @@ namespace vesicle
 namespace
 {
 
-void measure(SceneCheck& check, const Scene& scene, const TriangleMesh& mesh)
+/// Of all vesicles; radius and reduced volume are the first one's.
+void measure(SceneCheck& check, const Scene& scene, const std::vector<StartMesh>& start)
 {
+  std::vector<TriangleMesh> meshes;
+  for (const StartMesh& own : start)
+  {
+    meshes.push_back(own.mesh);
+  }
+  const TriangleMesh mesh = joined(meshes);
+  check.vesicles = scene.vesicles();
   check.vertices = mesh.points.rows();
   check.triangles = mesh.triangles.rows();
   check.quality = mesh_quality(mesh);
   const SurfaceMeasures measures = surface_measures(scene.accuracy.basis, mesh);
   check.area = measures.area;
   check.volume = measures.volume;
-  check.reduced_volume = reduced_volume(measures.area, measures.volume);
-  check.radius = scales_of(scene, mesh).length;
+  const SurfaceMeasures first = surface_measures(scene.accuracy.basis, meshes.front());
+  check.reduced_volume = reduced_volume(first.area, first.volume);
+  check.radius = scales_of(scene, meshes.front()).length;
   check.viscosity_ratio = scene.fluid.viscosity_ratio;
 }
 
@@ -89,11 +99,14 @@ std::string numbers_text(const SceneCheck& c)
 std::string mesh_text(const SceneCheck& c)
 {
   const MeshQuality& q = c.quality;
-  return fmt::format("  {:<17}{}\n  {:<17}{}\n  {:<17}{:.4g} (mean), {:.4g} to {:.4g}\n"
-                     "  {:<17}{:.1f} degrees\n  {:<17}{:.8g}\n  {:<17}{:.8g}\n",
-    "triangles", c.triangles, "vertices", c.vertices, "edges", q.mean_edge, q.min_edge,
-    q.min_edge * q.edge_ratio, "smallest angle", q.min_angle_deg, "area", c.area, "volume",
-    c.volume);
+  const std::string vesicles =
+    c.vesicles > 1 ? fmt::format("  {:<17}{}\n", "vesicles", c.vesicles) : std::string();
+  return vesicles +
+    fmt::format("  {:<17}{}\n  {:<17}{}\n  {:<17}{:.4g} (mean), {:.4g} to {:.4g}\n"
+                "  {:<17}{:.1f} degrees\n  {:<17}{:.8g}\n  {:<17}{:.8g}\n",
+      "triangles", c.triangles, "vertices", c.vertices, "edges", q.mean_edge, q.min_edge,
+      q.min_edge * q.edge_ratio, "smallest angle", q.min_angle_deg, "area", c.area, "volume",
+      c.volume);
 }
 
 std::string cost_text(const SceneCheck& c)
@@ -144,17 +157,17 @@ SceneCheck check_scene(const Scene& scene, const std::filesystem::path& folder)
   if (scene.time.equilibrium)
   {
     require_equilibrium(scene);
-    measure(check, scene, start_mesh_of(scene, notes));
+    measure(check, scene, { { start_mesh_of(scene, notes), {} } });
   }
   else
   {
-    require_affordable(
-      scene, scene.vesicle.mesh_file ? 0 : scene.vesicle.shape.triangles, check.available);
-    TriangleMesh mesh = start_mesh_of(scene, notes);
+    require_affordable(scene, shape_triangles(scene), check.available);
+    std::vector<StartMesh> start = start_meshes_of(scene);
     std::string field_notes;
     const Scene complete = with_velocity_field(scene, field_notes);
-    const Simulation simulation(complete, std::move(mesh), lines({ notes, field_notes }));
-    measure(check, scene, simulation.start_mesh());
+    start.front().notes = lines({ start.front().notes, field_notes });
+    const Simulation simulation(complete, start);
+    measure(check, scene, start);
     check.numbers = simulation.numbers();
     notes = simulation.notes();
   }
@@ -175,7 +188,7 @@ nlohmann::ordered_json to_json(const SceneCheck& c)
   using Json = nlohmann::ordered_json;
   const auto known = [&](double value) { return value > 0 ? json_number(value) : Json(nullptr); };
   const DimensionlessNumbers numbers = c.numbers.value_or(DimensionlessNumbers{});
-  return { { "folder", c.folder.string() },
+  Json all{ { "folder", c.folder.string() },
     { "numbers",
       { { "r0", c.radius }, { "time_unit", c.numbers ? Json(numbers.time_unit) : Json(nullptr) },
         { "bond", json_number(numbers.bond) }, { "capillary", json_number(numbers.capillary) },
@@ -193,6 +206,11 @@ nlohmann::ordered_json to_json(const SceneCheck& c)
         { "least_steps", known(whole(c.cost.steps)) }, { "least_seconds", known(c.cost.seconds) },
         { "frames", known(whole(c.cost.frames)) }, { "disk_bytes", known(c.cost.disk) } } },
     { "warnings", c.warnings } };
+  if (c.vesicles > 1)
+  {
+    all["mesh"]["vesicles"] = c.vesicles;
+  }
+  return all;
 }
 
 }

@@ -18,7 +18,9 @@ namespace vesicle
 struct SceneCheck
 {
   std::filesystem::path folder; ///< that a run would write to
-  // Of the start mesh, in the scene's units; area and volume are of the scene's surface.
+  std::size_t vesicles = 1;
+  // Of the start meshes together, in the scene's units; area and volume are of the scene's surface. The
+  // numbers below are the first vesicle's.
   Eigen::Index vertices = 0, triangles = 0;
   MeshQuality quality;
   double area = 0, volume = 0, reduced_volume = 0;

@@ -98,10 +98,9 @@ std::string write_stop_bundle(
     if (bundle.failing->points.allFinite()) // files hold nothing else
       write_mesh(marked(*bundle.failing, guilty.triangles), folder / "failing.vtu");
   }
-  const auto rows = bundle.rows.size();
-  CsvFile(folder / "diagnostics.csv",
-    { bundle.rows.begin() + static_cast<std::ptrdiff_t>(rows - std::min(rows, rows_kept)),
-      bundle.rows.end() })
+  const auto rows = bundle.rows.size(), kept = std::min(rows, rows_kept * bundle.vesicles);
+  CsvFile(folder / "diagnostics.csv", bundle.columns,
+    { bundle.rows.begin() + static_cast<std::ptrdiff_t>(rows - kept), bundle.rows.end() })
     .close();
   replace_file(folder / "scene.toml", write_scene(scene));
   const std::string what_to_try = advice(scene, bundle);

@@ -23,8 +23,10 @@ struct StopBundle
   double time = 0;     ///< of the last good state
   TriangleMesh good;   ///< the last good shape, in the scene's units; the start where there is none
   std::optional<TriangleMesh>
-    failing;             ///< what couldn't be accepted; empty where nothing came so far
-  std::vector<Row> rows; ///< diagnostics
+    failing;                        ///< what couldn't be accepted; empty where nothing came so far
+  std::vector<std::string> columns; ///< of the diagnostics
+  std::vector<Row> rows;            ///< a line each
+  std::size_t vesicles = 1;
 };
 
 /// good.vtu and failing.vtu, the latter with the cell array Guilty (1 where guilty_triangles() says so),

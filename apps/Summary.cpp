@@ -51,6 +51,27 @@ Json observables(const Diagnostics& diagnostics)
   return result;
 }
 
+/// Of one vesicle its observables, of several a list of them.
+Json final_of(const std::vector<Diagnostics>& last)
+{
+  if (last.size() == 1)
+    return observables(last.front());
+  Json all = Json::array();
+  for (const Diagnostics& vesicle : last)
+    all.push_back(observables(vesicle));
+  return all;
+}
+
+/// Of the vesicles' values that which is largest in magnitude.
+double largest(const std::vector<Diagnostics>& vesicles, double Diagnostics::*member)
+{
+  double value = 0;
+  for (const Diagnostics& vesicle : vesicles)
+    if (std::abs(vesicle.*member) >= std::abs(value))
+      value = vesicle.*member;
+  return value;
+}
+
 Json numbers(const DimensionlessNumbers& n)
 {
   return { { "r0", n.radius }, { "time_unit", n.time_unit }, { "bond", number_or_null(n.bond) },
@@ -84,19 +105,22 @@ void write_summary(const RunSummary& s, const std::filesystem::path& file)
   {
     summary["message"] = s.message;
   }
-  summary["steps"] = s.last ? static_cast<std::int64_t>(s.last->step) : 0;
-  summary["time"] = s.last ? s.last->time : 0;
+  summary["steps"] = s.last.empty() ? 0 : static_cast<std::int64_t>(s.last.front().step);
+  summary["time"] = s.last.empty() ? 0 : s.last.front().time;
   summary["frames"] = s.frames;
   summary["triangles"] = s.triangles;
-  if (s.last)
+  if (s.scene.vesicles() > 1)
+    summary["vesicles"] = s.scene.vesicles();
+  if (!s.last.empty())
   {
-    summary["drifts"] = { { "area", s.last->area_drift }, { "volume", s.last->volume_drift } };
-    summary["corrections"] = { { "area", s.last->area_correction },
-      { "volume", s.last->volume_correction } };
+    summary["drifts"] = { { "area", largest(s.last, &Diagnostics::area_drift) },
+      { "volume", largest(s.last, &Diagnostics::volume_drift) } };
+    summary["corrections"] = { { "area", largest(s.last, &Diagnostics::area_correction) },
+      { "volume", largest(s.last, &Diagnostics::volume_correction) } };
     if (s.errors)
       summary["error_estimates"] = error_estimates(*s.errors);
     summary["numbers"] = numbers(s.numbers);
-    summary["final"] = observables(*s.last);
+    summary["final"] = final_of(s.last);
   }
   summary["timings"] = timings(s);
   if (!s.movie_note.empty())

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace vesicle
 {
@@ -16,9 +17,9 @@ namespace vesicle
 struct RunSummary
 {
   Scene scene;
-  std::string outcome;             ///< finished, steady, interrupted or failed
-  std::string message;             ///< why it failed
-  std::optional<Diagnostics> last; ///< of the last state; none was reached where empty
+  std::string outcome;           ///< finished, steady, interrupted or failed
+  std::string message;           ///< why it failed
+  std::vector<Diagnostics> last; ///< of the last state, each vesicle's; none was reached: empty
   std::optional<ErrorEstimate> errors;
   DimensionlessNumbers numbers;
   std::size_t frames = 0;

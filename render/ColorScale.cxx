@@ -5,6 +5,8 @@
 #include "vtkDataArray.h"
 #include "vtkLookupTable.h"
 #include "vtkMath.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
 
 #include <fmt/format.h>
 
@@ -98,7 +100,9 @@ ColorScale choose_color_scale(const Range& range, double neutral, bool vector)
 
 double neutral_value(const std::string& array, vtkPolyData* surface)
 {
-  const double volume = array == "Mean_Curvature" ? enclosed_volume(surface) : 0;
+  vtkDataArray* ids = surface->GetPointData()->GetArray("Vesicle_Id");
+  const double vesicles = ids ? ids->GetRange()[1] + 1 : 1;
+  const double volume = array == "Mean_Curvature" ? enclosed_volume(surface) / vesicles : 0;
   return volume > 0 ? std::cbrt(4 * vtkMath::Pi() / (3 * volume)) : 0;
 }
 

@@ -48,7 +48,7 @@ struct ColorScale
 ColorScale choose_color_scale(const Range& range, double neutral, bool vector);
 
 /// The value that neither colour should have: of the mean curvature that of the sphere of the same
-/// volume, 1/r0, so that red is more curved and blue flatter than it; 0 of everything else.
+/// volume, 1/r0 (the mean one of several vesicles), so that red is more curved and blue flatter than it; 0 of everything else.
 double neutral_value(const std::string& array, vtkPolyData* surface);
 
 /// The colours of the range, from its low end to its high one.

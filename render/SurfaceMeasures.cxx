@@ -5,6 +5,7 @@
 #include "solver/mesh/SelfCrossing.h"
 #include "solver/mesh/Topology.h"
 #include "solver/mesh/VertexNormals.h"
+#include "solver/mesh/repair/Components.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -136,8 +137,14 @@ bool hides_its_inside(vtkPolyData* surface)
 {
   const TriangleMesh mesh = fan_mesh(surface);
   const Topology kind = topology(mesh);
-  return kind.closed && kind.manifold && kind.oriented && kind.components == 1 &&
-    flat_volume(mesh) > 0 && !find_self_crossing(mesh);
+  if (!kind.closed || !kind.manifold || !kind.oriented)
+  {
+    return false;
+  }
+  const auto parts = components_of(mesh);
+  const bool outward = std::all_of(parts.begin(), parts.end(),
+    [&](const Component& part) { return flat_volume(part_of(mesh, part.triangles)) > 0; });
+  return outward && !find_self_crossing(mesh);
 }
 
 Point3 centroid_velocity(vtkPolyData* surface, vtkDataArray* velocity)

@@ -20,8 +20,8 @@ Point3 surface_centroid(vtkPolyData* surface);
 /// The enclosed volume; 0 where the surface is open or encloses nothing.
 double enclosed_volume(vtkPolyData* surface);
 
-/// Whether the surface's inner side can't be seen from outside: it is closed, of one piece, faces
-/// outward and doesn't pass through itself.
+/// Whether the surface's inner side can't be seen from outside: it is closed, all of its pieces face
+/// outward and it doesn't pass through itself.
 bool hides_its_inside(vtkPolyData* surface);
 
 /// Velocity of the enclosed volume's centroid from the points' velocities (3 components):

@@ -34,6 +34,9 @@ Scene scene_with_end(const SweepPlan& plan)
   std::vector<std::string> overrides = plan.overrides;
   overrides.push_back("accuracy.preset=balanced");
   Scene scene = read_scene(plan.scene, overrides);
+  if (scene.vesicles() > 1)
+    throw InputError(fmt::format("{}: a trade-off is measured on one vesicle, and there are {}",
+      plan.scene.string(), scene.vesicles()));
   if (!scene.time.end)
     throw InputError(
       fmt::format("{}: key 'time.end': a trade-off compares runs at one time; give it by --end",

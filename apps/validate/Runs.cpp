@@ -26,7 +26,7 @@ History simulate(const Scene& scene, const TriangleMesh& start, double latest)
 {
   Progress progress(!isatty(STDOUT_FILENO), 0, scene.time.end);
   return run_to_end(std::make_shared<Simulation>(scene, start), latest,
-    [&](const Diagnostics& diagnostics) { progress.step(diagnostics); });
+    [&](const Diagnostics& diagnostics) { progress.step({ diagnostics }); });
 }
 
 double inclination(const Diagnostics& d)

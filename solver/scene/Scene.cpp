@@ -5,6 +5,12 @@
 namespace vesicle
 {
 
+Scene::Companion Scene::companion() const
+{
+  const bool loaded = gravity && gravity->bond_number != 0.;
+  return { vesicle, membrane, fluid.viscosity_ratio, loaded ? gravity : std::nullopt };
+}
+
 Scene Scene::alone(std::size_t number) const
 {
   Scene scene = *this;

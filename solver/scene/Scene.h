@@ -83,6 +83,8 @@ struct Scene
   std::vector<Companion> companions;
 
   std::size_t vesicles() const { return 1 + companions.size(); }
+  /// The first one as one beside others. A load of nothing is none there.
+  Companion companion() const;
   /// The same scene with one of its vesicles, by its number from 0, and no other.
   Scene alone(std::size_t vesicle) const;
 

@@ -87,12 +87,6 @@ Scene read_vesicle(const SceneDocument& document)
   return scene;
 }
 
-/// No load and no table are the same to a vesicle beside others.
-std::optional<Scene::Gravity> load_of(const Scene& scene)
-{
-  return scene.gravity && scene.gravity->bond_number == 0. ? std::nullopt : scene.gravity;
-}
-
 /// What there is for a single vesicle only.
 void check_several(const SceneDocument& document, const Scene& scene)
 {
@@ -117,11 +111,7 @@ Scene read_document(const SceneDocument& document)
   check_tables(document);
   Scene scene = read_vesicle(document.of_vesicle(0));
   for (std::size_t v = 1; v < document.vesicles.size(); ++v)
-  {
-    const Scene other = read_vesicle(document.of_vesicle(v));
-    scene.companions.push_back(
-      { other.vesicle, other.membrane, other.fluid.viscosity_ratio, load_of(other) });
-  }
+    scene.companions.push_back(read_vesicle(document.of_vesicle(v)).companion());
   if (!scene.companions.empty())
     check_several(document, scene);
   return scene;

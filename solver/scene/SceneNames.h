@@ -81,10 +81,12 @@ inline const std::vector<std::string> camera_names{ "follow", "fixed" };
 inline const std::vector<std::string> chart_names{ "none", "energy", "inclination", "velocity",
   "tension" };
 
-/// The point arrays that a run can write.
+/// The point arrays that a run can write; the last one only and always where there are several
+/// vesicles.
 inline const std::vector<std::string> field_names{ "Mean_Curvature", "Gauss_Curvature",
   "Laplacian_Mean_Curvature", "Normals", "Bending_Force", "Area_Difference_Force", "Elastic_Force",
-  "Tension", "Tension_Force", "Membrane_Force", "Gravity_Force", "Velocity", "Surface_Divergence" };
+  "Tension", "Tension_Force", "Membrane_Force", "Gravity_Force", "Velocity", "Surface_Divergence",
+  "Vesicle_Id" };
 
 template<class Choices, class Choice>
 std::string name_of(const Choices& choices, Choice choice)

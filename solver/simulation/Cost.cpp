@@ -62,6 +62,17 @@ double step_seconds(const Scene& scene, double triangles)
 
 }
 
+double shape_triangles(const Scene& scene)
+{
+  double sum = 0;
+  const auto add = [&](const Scene::Vesicle& vesicle)
+  { sum += vesicle.mesh_file ? 0 : vesicle.shape.triangles; };
+  add(scene.vesicle);
+  for (const Scene::Companion& companion : scene.companions)
+    add(companion.vesicle);
+  return sum;
+}
+
 Cost cost_of(const Scene& scene, double triangles)
 {
   const bool flat = scene.accuracy.basis == Scene::Basis::linear,

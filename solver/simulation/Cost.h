@@ -19,7 +19,10 @@ struct Cost
   double picture = 0;      ///< bytes while one picture of the movie is drawn
 };
 
-/// By models fitted to runs of 320 to 5,120 triangles (docs/performance.md).
+/// That the scene's shapes ask for, all vesicles together; those with a mesh file count as none.
+double shape_triangles(const Scene& scene);
+
+/// `triangles`: of all vesicles together, here and below. By models fitted to runs of 320 to 5,120 triangles (docs/performance.md).
 Cost cost_of(const Scene& scene, double triangles);
 
 struct Resources

@@ -20,6 +20,8 @@ void require_equilibrium(const Scene& scene)
       fmt::format("scene '{}' {}, and an equilibrium is that of a membrane alone: {}", scene.name,
         has, remedy));
   };
+  if (scene.vesicles() > 1)
+    refuse("has several vesicles", "leave one, or let them run to time.end = \"steady\"");
   if (scene.flow)
     refuse("has a flow", "leave out [flow], or let it run to time.end = \"steady\"");
   if (scene.gravity)

@@ -6,17 +6,26 @@
 namespace vesicle
 {
 
+static void observe(History& run)
+{
+  const std::vector<Diagnostics> all = run.simulation->diagnose_all(run.last);
+  run.rows.push_back(all[0]);
+  run.others.resize(all.size() - 1);
+  for (std::size_t v = 1; v < all.size(); ++v)
+    run.others[v - 1].push_back(all[v]);
+}
+
 History run_to_end(std::shared_ptr<Simulation> simulation, double latest,
   const std::function<void(const Diagnostics&)>& watch)
 {
   History run{ std::move(simulation), {}, {} };
   Simulation& sim = *run.simulation;
   run.last = sim.start();
-  run.rows.push_back(sim.diagnose(run.last));
+  observe(run);
   while (!sim.finished(run.last) && run.last.time < latest)
   {
     run.last = sim.step(run.last);
-    run.rows.push_back(sim.diagnose(run.last));
+    observe(run);
     if (watch)
     {
       watch(run.end());
@@ -27,7 +36,8 @@ History run_to_end(std::shared_ptr<Simulation> simulation, double latest,
 
 RelativeSpeeds relative_speeds(const History& run)
 {
-  const Points normal = run.simulation->fields(run.last).at("Normals");
+  const Points normal =
+    run.simulation->fields(run.last).at("Normals").topRows(run.last.vesicles[0].points.rows());
   const auto& U = run.end().velocity;
   const Eigen::RowVector3d frame =
     Eigen::RowVector3d(U[0], U[1], U[2]) / run.simulation->scales().velocity();

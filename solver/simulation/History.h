@@ -14,8 +14,9 @@ namespace vesicle
 struct History
 {
   std::shared_ptr<Simulation> simulation;
-  std::vector<Diagnostics> rows; ///< the start first
+  std::vector<Diagnostics> rows; ///< of the first vesicle, the start first
   State last;
+  std::vector<std::vector<Diagnostics>> others = {}; ///< of each further vesicle
 
   const Diagnostics& end() const { return rows.back(); }
 };
@@ -25,7 +26,7 @@ struct History
 History run_to_end(std::shared_ptr<Simulation> simulation, double latest = HUGE_VAL,
   const std::function<void(const Diagnostics&)>& watch = {});
 
-/// Largest normal and tangential speed of the fluid at the vertices against the centroid, in r0 a
+/// Of the first vesicle: largest normal and tangential speed of the fluid at the vertices against the centroid, in r0 a
 /// time unit μr0³/EB.
 struct RelativeSpeeds
 {

@@ -13,28 +13,31 @@ static std::optional<double> fixed_step(const Scene& scene, const Scales& scales
   return {};
 }
 
-SceneOnMesh::SceneOnMesh(const Scene& scene, const Scales& scales, const Triangles& triangles,
-  int points, const Points& start)
-  : triangles_(triangles), points_(points), bends_(scene.membrane.bending_rigidity.has_value()),
-    evolution_(system_of(scene, scales, triangles, points, start), stepper_settings_of(scene),
-      schedule_of(scene), scales.time(), fixed_step(scene, scales)),
-    report_(evolution_.system(), scales)
+SceneOnMesh::SceneOnMesh(const Scene& scene, const Scales& scales, std::vector<VesicleMesh> meshes)
+  : meshes_(std::move(meshes)), bends_(scene.membrane.bending_rigidity.has_value()),
+    evolution_(system_of(scene, scales, meshes_), stepper_settings_of(scene), schedule_of(scene),
+      scales.time(), fixed_step(scene, scales)),
+    report_(evolution_.system(), scales), resolutions_(meshes_.size())
 {
 }
 
-const Resolution& SceneOnMesh::resolution()
+const Resolution& SceneOnMesh::resolution(std::size_t vesicle)
 {
-  if (!resolution_)
-    resolution_.emplace(triangles_, points_);
-  return *resolution_;
+  auto& own = resolutions_[vesicle];
+  for (std::size_t other = 0; !own && other < vesicle; ++other)
+    if (resolutions_[other] && same_triangles(triangles(other), triangles(vesicle)))
+      own = resolutions_[other];
+  if (!own)
+    own = std::make_shared<const Resolution>(triangles(vesicle), meshes_[vesicle].nodes);
+  return *own;
 }
 
 const MeshFitness& SceneOnMesh::fitness(const Points& points)
 {
   if (asked_.rows() != points.rows() || asked_ != points)
   {
-    fitness_ = { bends_ ? resolution().disagreement(points) : 0,
-      mesh_quality({ points, triangles_ }).min_angle_deg };
+    fitness_ = { bends_ ? resolution(0).disagreement(points) : 0,
+      mesh_quality({ points, triangles(0) }).min_angle_deg };
     asked_ = points;
   }
   return fitness_;

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -22,7 +23,8 @@ namespace
 // A disagreement of the energy that makes a mesh too rough for a Loop surface.
 constexpr double rough_energy = 0.01;
 
-// Turns the shape's own z axis to where the scene wants it, or by the scene's rotation.
+}
+
 Eigen::Matrix3d orientation(const Scene::Vesicle& vesicle)
 {
   if (vesicle.rotation)
@@ -34,15 +36,45 @@ Eigen::Matrix3d orientation(const Scene::Vesicle& vesicle)
   return turn_z_to(vesicle.axis);
 }
 
+const TriangleMesh& StartShapes::of(const ShapeRequest& shape, SurfaceBasis basis)
+{
+  if (basis != basis_)
+    made_.clear();
+  basis_ = basis;
+  const auto found =
+    std::find_if(made_.begin(), made_.end(), [&](const auto& made) { return made.first == shape; });
+  if (found != made_.end())
+    return found->second;
+  return made_.emplace_back(shape, make_start_shape(shape, basis)).second;
 }
 
 TriangleMesh make_start_mesh(const Scene& scene)
 {
+  StartShapes shapes;
+  return make_start_mesh(scene, shapes);
+}
+
+TriangleMesh make_start_mesh(const Scene& scene, StartShapes& shapes)
+{
   const Scene::Vesicle& vesicle = scene.vesicle;
   require_memory(scene, vesicle.shape.triangles);
-  TriangleMesh mesh = make_start_shape(vesicle.shape, scene.accuracy.basis);
+  TriangleMesh mesh = shapes.of(vesicle.shape, scene.accuracy.basis);
   place(mesh, vesicle.radius, orientation(vesicle), vesicle.center);
   return mesh;
+}
+
+std::vector<StartMesh> make_start_meshes(const Scene& scene)
+{
+  StartShapes shapes;
+  std::vector<StartMesh> meshes;
+  for (std::size_t v = 0; v < scene.vesicles(); ++v)
+  {
+    const Scene own = scene.alone(v);
+    TriangleMesh mesh = make_start_mesh(own, shapes);
+    std::string notes = check_start_shape(own, mesh);
+    meshes.push_back({ std::move(mesh), std::move(notes) });
+  }
+  return meshes;
 }
 
 std::string check_start_shape(const Scene& scene, const TriangleMesh& mesh)

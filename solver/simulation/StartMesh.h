@@ -4,12 +4,38 @@
 #include "solver/scene/Scene.h"
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace vesicle
 {
 
-/// The start mesh of a scene with a shape, in the scene's units, placed and oriented.
+/// Of a vesicle, in the scene's units, and what is to be said of how it was made.
+struct StartMesh
+{
+  TriangleMesh mesh;
+  std::string notes;
+};
+
+/// How a scene's vesicle is turned: the shape's own z axis to its axis, or by its rotation.
+Eigen::Matrix3d orientation(const Scene::Vesicle& vesicle);
+
+/// Start shapes before they are placed, each made once.
+class StartShapes
+{
+public:
+  const TriangleMesh& of(const ShapeRequest& shape, SurfaceBasis basis);
+
+private:
+  std::vector<std::pair<ShapeRequest, TriangleMesh>> made_; ///< on one basis
+  SurfaceBasis basis_ = SurfaceBasis::loop;
+};
+
+/// The start mesh of a scene's first vesicle, which has a shape, placed and oriented.
 TriangleMesh make_start_mesh(const Scene& scene);
+TriangleMesh make_start_mesh(const Scene& scene, StartShapes& shapes);
+/// Of all vesicles of a scene without mesh files.
+std::vector<StartMesh> make_start_meshes(const Scene& scene);
 
 /// What that mesh doesn't hold of the shape, start_shape_warning().
 std::string check_start_shape(const Scene& scene, const TriangleMesh& mesh);

@@ -1,9 +1,11 @@
 #include "solver/simulation/SystemOfScene.h"
 
+#include "solver/ParallelFor.h"
 #include "solver/membrane/AreaDifference.h"
 #include "solver/membrane/Buoyancy.h"
 #include "solver/membrane/ElasticSheet.h"
 #include "solver/membrane/HelfrichBending.h"
+#include "solver/membrane/ScaledTerm.h"
 #include "solver/surface/SurfaceMeasures.h"
 
 #include <cmath>
@@ -47,23 +49,35 @@ Scales scales_of(const Scene& scene, const TriangleMesh& mesh)
     scene.membrane.bending_rigidity.value_or(1), scene.fluid.viscosity };
 }
 
+/// With the rigidity that sets the unit of energy it is bending itself, to the bit.
+static std::unique_ptr<const MembraneTerm> bending_of(
+  const Scene::Membrane& membrane, const SurfaceSpace& space, const Scales& scales)
+{
+  auto bending = make_bending(space, membrane.spontaneous_curvature * scales.length);
+  const double factor = *membrane.bending_rigidity / scales.energy;
+  if (factor == 1)
+    return bending;
+  return std::make_unique<ScaledTerm>(std::move(bending), factor);
+}
+
 MembraneTerms membrane_terms(const Scene& scene, const SurfaceSpace& space, const Scales& scales)
 {
+  const Scene::Membrane& membrane = scene.membrane;
   MembraneTerms terms;
-  if (scene.membrane.bending_rigidity)
-    terms.push_back(make_bending(space, scene.membrane.spontaneous_curvature * scales.length));
-  if (scene.membrane.area_difference_stiffness)
+  if (membrane.bending_rigidity)
+    terms.push_back(bending_of(membrane, space, scales));
+  if (membrane.area_difference_stiffness)
     terms.push_back(std::make_unique<AreaDifference>(
-      *scene.membrane.area_difference_stiffness, scene.membrane.area_difference));
+      *membrane.area_difference_stiffness * (*membrane.bending_rigidity / scales.energy),
+      membrane.area_difference));
   return terms;
 }
 
-System system_of(const Scene& scene, const Scales& scales, const Triangles& triangles, int nodes,
-  const Points& start)
+static Vesicle vesicle_of(const Scene& scene, const Scales& scales, const VesicleMesh& mesh)
 {
   const Scene::Accuracy& accuracy = scene.accuracy;
   auto space = std::make_unique<SurfaceSpace>(
-    accuracy.basis, curvature_of(accuracy), triangles, nodes, accuracy.quadrature);
+    accuracy.basis, curvature_of(accuracy), mesh.triangles, mesh.nodes, accuracy.quadrature);
   Vesicle vesicle = make_vesicle(std::move(space), accuracy.quadrature);
   vesicle.conserved = accuracy.scheme != Scene::Scheme::paper;
   vesicle.motion = accuracy.mesh_motion == Scene::MeshMotion::material ? NodeMotionKind::material
@@ -71,16 +85,22 @@ System system_of(const Scene& scene, const Scales& scales, const Triangles& tria
   vesicle.viscosity_ratio = scene.fluid.viscosity_ratio;
   vesicle.terms = membrane_terms(scene, *vesicle.space, scales);
   if (scene.membrane.shear_modulus)
-    vesicle.terms.push_back(std::make_unique<ElasticSheet>(
-      elastic_moduli(scene.membrane, scales), *vesicle.space, start / scene.membrane.prestretch));
+    vesicle.terms.push_back(std::make_unique<ElasticSheet>(elastic_moduli(scene.membrane, scales),
+      *vesicle.space, mesh.start / scene.membrane.prestretch));
   if (scene.membrane.incompressible)
     vesicle.incompressibility = make_incompressibility(*vesicle.space);
   if (scene.gravity)
     if (const double bond = bond_number(*scene.gravity, scales); bond != 0)
       vesicle.terms.push_back(make_buoyancy(*vesicle.space, bond));
+  return vesicle;
+}
 
+System system_of(const Scene& scene, const Scales& scales, const std::vector<VesicleMesh>& meshes)
+{
   System system;
-  system.vesicles.push_back(std::move(vesicle));
+  system.vesicles.resize(meshes.size());
+  parallel_for(meshes.size(),
+    [&](std::size_t v) { system.vesicles[v] = vesicle_of(scene.alone(v), scales, meshes[v]); });
   if (const auto flow = imposed_flow(scene))
     system.flow = flow->dimensionless(scales.length, scales.velocity());
   return system;

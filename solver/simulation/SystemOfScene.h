@@ -9,20 +9,27 @@
 namespace vesicle
 {
 
-/// The units in which a scene is computed; `mesh` is its start mesh, in the scene's units.
+/// The units in which a scene is computed; `mesh` is the start mesh of its first vesicle, in the
+/// scene's units.
 Scales scales_of(const Scene& scene, const TriangleMesh& mesh);
 
 /// Bo = Δρ g r0⁴/EB.
 double bond_number(const Scene::Gravity& gravity, const Scales& scales);
 
-/// The membrane's own terms, dimensionless.
+/// The own terms of the first vesicle's membrane, dimensionless.
 MembraneTerms membrane_terms(const Scene& scene, const SurfaceSpace& space, const Scales& scales);
 
-/// The scene's vesicle on the triangles of a mesh of `nodes` vertices, and the flow, dimensionless.
-/// `start`: the start shape's vertices on these triangles, in units of r0, for elastic
-/// membranes.
-System system_of(const Scene& scene, const Scales& scales, const Triangles& triangles, int nodes,
-  const Points& start = {});
+/// The mesh of a vesicle, for all shapes that it takes.
+struct VesicleMesh
+{
+  Triangles triangles;
+  int nodes; ///< vertices
+  /// The start shape's vertices, in units of r0; for elastic membranes.
+  Points start = {};
+};
+
+/// The scene's vesicles, each on its mesh, and the flow, dimensionless.
+System system_of(const Scene& scene, const Scales& scales, const std::vector<VesicleMesh>& meshes);
 
 StepperSettings stepper_settings_of(const Scene& scene);
 OutputSchedule schedule_of(const Scene& scene);

@@ -192,11 +192,11 @@ Handle create_dataset_of(hid_t parent, const std::string& name, const Shape& sha
     H5Dclose, what };
 }
 
-Handle create_table(
-  hid_t parent, const std::string& name, const std::vector<std::string>& columns, hsize_t rows)
+Handle create_table(hid_t parent, const std::string& name, const std::vector<std::string>& columns,
+  const Shape& records)
 {
   const Handle record = record_type(columns, file_type<double>());
-  return create_dataset_of(parent, name, { rows }, record);
+  return create_dataset_of(parent, name, records, record);
 }
 
 void write_table(hid_t table, const double* values, const std::string& name)

@@ -105,10 +105,10 @@ std::vector<std::string> names_in(hid_t group);
 /// A dataset in one piece that gets its place in the file when it is written.
 template<class T>
 Handle create_dataset(hid_t parent, const std::string& name, const Shape& shape);
-/// A table: a dataset of `rows` records, each of doubles with these names, next to each other.
-Handle create_table(
-  hid_t parent, const std::string& name, const std::vector<std::string>& columns, hsize_t rows);
-/// `values` row by row.
+/// A table: a dataset of records, each of doubles with these names, next to each other.
+Handle create_table(hid_t parent, const std::string& name, const std::vector<std::string>& columns,
+  const Shape& records);
+/// `values` record by record.
 void write_table(hid_t table, const double* values, const std::string& name);
 std::vector<std::string> columns_of_table(hid_t table, const std::string& name);
 /// Where in the file a dataset's first byte is; nothing while it has none.

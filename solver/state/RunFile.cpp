@@ -66,16 +66,17 @@ std::vector<double> numbers_of(const std::vector<std::optional<double>>& row)
 void require_finite(const State& state, const std::vector<std::string>& columns,
   const std::vector<std::optional<double>>& row)
 {
-  if (row.size() != columns.size())
+  if (row.size() != columns.size() * state.vesicles.size())
   {
-    throw IoError(fmt::format("a row of {} values for {} columns", row.size(), columns.size()));
+    throw IoError(fmt::format("a row of {} values for {} columns of {} vesicles", row.size(),
+      columns.size(), state.vesicles.size()));
   }
   for (std::size_t i = 0; i < row.size(); ++i)
   {
     if (row[i] && (!std::isfinite(*row[i]) || *row[i] == missing_value))
     {
-      throw NumericalError(
-        fmt::format("{} = {}, beyond what can be computed with. {}", columns[i], *row[i], remedy));
+      throw NumericalError(fmt::format("{} = {}, beyond what can be computed with. {}",
+        columns[i % columns.size()], *row[i], remedy));
     }
   }
   if (const std::string field = first_unusable_field(state); !field.empty())
@@ -218,12 +219,12 @@ State RunFile::state() const
 
 std::vector<std::vector<std::optional<double>>> RunFile::series() const
 {
-  const std::size_t columns = header().columns.size();
+  const std::size_t length = impl_->contents.row_length();
   std::vector<std::vector<std::optional<double>>> rows(this->rows());
   auto value = impl_->contents.series.begin();
   for (auto& row : rows)
   {
-    for (std::size_t i = 0; i < columns; ++i, ++value)
+    for (std::size_t i = 0; i < length; ++i, ++value)
     {
       row.push_back(*value == missing_value ? std::nullopt : std::optional<double>(*value));
     }

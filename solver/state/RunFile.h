@@ -4,8 +4,8 @@
 //   /triangles/vesicle_0   int32  #triangles × 3, of the start mesh, and so on for each vesicle
 //   /series          a table: one record an accepted step, its fields (double) the columns in
 //                    order; missing values hold the dataset's attribute `missing_value` (the lowest
-//                    double)
-//   /committed       int64: how many records of the series count. While a run is under way the
+//                    double). Of several vesicles one record a step and vesicle
+//   /committed       int64: how many steps of the series count. While a run is under way the
 //                    table is longer (room to come, filled with missing_value); closing the file
 //                    cuts it
 //   /state/0, /state/1
@@ -56,14 +56,16 @@ public:
   RunFile& operator=(RunFile&&) noexcept;
 
   const Header& header() const;
-  /// How many were appended so far.
+  /// How many steps were appended so far.
   std::size_t rows() const;
   /// The last checkpointed state, bit for bit. Throws IoError if nothing was appended yet.
   State state() const;
-  /// The scalar series so far: one row an accepted step, values in the order of header().columns.
+  /// The scalar series so far: one row an accepted step, values in the order of header().columns, of
+  /// each vesicle one after the other.
   std::vector<std::vector<std::optional<double>>> series() const;
 
-  /// Appends one row to the series (values in the order of the columns) and replaces the state.
+  /// Appends a step to the series (values in the order of the columns, of each vesicle one after the
+  /// other) and replaces the state.
   /// Throws as require_finite does, and IoError if the file can't be written; what was appended
   /// before is then still there.
   void append(const State& state, const std::vector<std::optional<double>>& row);
@@ -76,8 +78,8 @@ private:
   std::unique_ptr<Impl> impl_;
 };
 
-/// Throws NumericalError naming what isn't finite of a state and a row of these columns: neither is
-/// to be saved.
+/// Throws NumericalError naming what isn't finite of a state and a row of these columns for each of its
+/// vesicles: neither is to be saved.
 void require_finite(const State& state, const std::vector<std::string>& columns,
   const std::vector<std::optional<double>>& row);
 

@@ -272,6 +272,15 @@ void require_places(
 
 }
 
+/// A record a step, or a step and vesicle where there are several.
+static Shape series_shape(const RunFile::Header& header, std::size_t steps)
+{
+  Shape shape{ steps };
+  if (header.triangles.size() > 1)
+    shape.push_back(header.triangles.size());
+  return shape;
+}
+
 RunFileImage run_file_image(const RunFileContents& contents, std::size_t capacity)
 {
   const State& state = contents.state;
@@ -284,7 +293,8 @@ RunFileImage run_file_image(const RunFileContents& contents, std::size_t capacit
   {
     slots.push_back(create_slot(file, slot, state));
   }
-  const Handle series = hdf5::create_table(file, "series", contents.header.columns, capacity);
+  const Handle series = hdf5::create_table(
+    file, "series", contents.header.columns, series_shape(contents.header, capacity));
   hdf5::write_attribute(series, "missing_value", missing_value);
   const Handle committed = hdf5::create_dataset<std::int64_t>(file, "committed", {});
 
@@ -294,7 +304,7 @@ RunFileImage run_file_image(const RunFileContents& contents, std::size_t capacit
     write_slot(slot, state);
   }
   std::vector<double> padded = contents.series;
-  padded.resize(capacity * contents.header.columns.size(), missing_value);
+  padded.resize(capacity * contents.row_length(), missing_value);
   hdf5::write_table(series, padded.data(), "series");
   const auto count = static_cast<std::int64_t>(rows);
   hdf5::write(committed, &count, "committed");
@@ -303,7 +313,7 @@ RunFileImage run_file_image(const RunFileContents& contents, std::size_t capacit
   RunFileImage image{ hdf5::image_of(file), {} };
   RunFileHead& head = image.head;
   head.committed = hdf5::place_of(committed).value();
-  head.row_size = 8 * contents.header.columns.size();
+  head.row_size = 8 * contents.row_length();
   head.capacity = capacity;
   head.series = head.committed - capacity * head.row_size;
   head.slot_size = fields.size();
@@ -321,7 +331,7 @@ RunFileContents read_contents(const std::string& bytes)
   const Handle file = hdf5::open_in_memory(bytes);
   RunFileContents contents;
   contents.header = read_header(file);
-  if (checked.head.row_size != 8 * contents.header.columns.size())
+  if (contents.header.triangles.empty() || checked.head.row_size != 8 * contents.row_length())
   {
     misshapen("series");
   }

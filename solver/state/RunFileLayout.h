@@ -19,7 +19,9 @@ struct RunFileContents
   std::vector<double> series; ///< row by row; `missing_value` where empty
   State state;                ///< meaningless while there are no rows
 
-  std::size_t rows() const { return series.size() / header.columns.size(); }
+  /// Numbers of a step, and the steps.
+  std::size_t row_length() const { return header.columns.size() * header.triangles.size(); }
+  std::size_t rows() const { return series.size() / row_length(); }
 };
 
 struct RunFileImage

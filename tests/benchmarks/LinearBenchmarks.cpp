@@ -24,8 +24,9 @@ struct Shaped
   SystemShape shape;
 
   explicit Shaped(const Scene& scene)
-    : mesh(make_start_mesh(scene)), system(system_of(scene, scales_of(scene, mesh), mesh.triangles,
-                                      static_cast<int>(mesh.points.rows()))),
+    : mesh(make_start_mesh(scene)),
+      system(system_of(scene, scales_of(scene, mesh),
+        { { mesh.triangles, static_cast<int>(mesh.points.rows()) } })),
       shape(system, { mesh.points })
   {
   }

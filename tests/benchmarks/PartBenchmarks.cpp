@@ -56,8 +56,8 @@ struct Stage
 
   System fresh_system() const
   {
-    return system_of(run.simulation.scene(), run.simulation.scales(), start.triangles,
-      static_cast<int>(start.points.rows()));
+    return system_of(run.simulation.scene(), run.simulation.scales(),
+      { { start.triangles, static_cast<int>(start.points.rows()) } });
   }
   const VesicleLoads& loads() const { return *shape.vesicles[0].loads; }
   /// How often the layer was applied in each precision.

@@ -296,7 +296,7 @@ TEST(ForceFilter, RefusesWhatIsNoVesicle)
   two->AddInputData(sphere(1));
   two->AddInputData(sphere(2));
   two->Update();
-  expect_refused(two->GetOutput(), "components");
+  expect_refused(two->GetOutput(), "one inside of the other");
   vtkNew<vtkPolyData> bad;
   bad->DeepCopy(sphere());
   bad->GetPoints()->SetPoint(3, NAN, 0, 0);

@@ -38,6 +38,7 @@ const std::map<std::string_view, const char*>& units()
     { "Tension", "force/length" },
     { "Velocity", "length/time" },
     { "Surface_Divergence", "1/time" },
+    { "Vesicle_Id", "1" },
     { "TimeValue", "time" },
     { "Area", "length^2" },
     { "Volume", "length^3" },

@@ -4,14 +4,18 @@
 #include "VesicleFiltersModule.h"
 
 #include "solver/scene/Scene.h"
+#include "solver/simulation/StartMesh.h"
 
 #include <string>
+#include <vector>
 
 namespace vesicle
 {
 
-/// In the scene's units, of its shape or of its mesh file; `notes` tells what was changed. Throws
-/// InputError, IoError.
+/// Of each vesicle, in the scene's units, of its shape or of its mesh file, with notes on what was
+/// changed. Throws InputError, IoError.
+VESICLEFILTERS_EXPORT std::vector<StartMesh> start_meshes_of(const Scene& scene);
+/// Of the first vesicle.
 VESICLEFILTERS_EXPORT TriangleMesh start_mesh_of(const Scene& scene, std::string& notes);
 
 }

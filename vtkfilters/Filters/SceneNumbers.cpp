@@ -1,15 +1,20 @@
 #include "SceneNumbers.h"
 
+#include "ArrayLabels.h"
 #include "MeshConversion.h"
 
 #include "solver/Errors.h"
 #include "solver/flow/FieldFlow.h"
 #include "solver/flow/FlowKinds.h"
 #include "solver/flow/FlowNumbers.h"
+#include "solver/mesh/Topology.h"
+#include "solver/mesh/repair/Components.h"
 #include "solver/scene/SceneNames.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -18,11 +23,14 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <numeric>
 
 namespace vesicle
 {
 namespace
 {
+
+constexpr const char* vesicle_ids_name = "Vesicle_Id";
 
 /// Field data of a flow's parameter: "rate" is Flow_Rate.
 std::string array_name(std::string parameter)
@@ -53,6 +61,25 @@ double read_number(vtkFieldData* from, const char* name)
   double value = 0;
   read(from, name, &value, 1);
   return value;
+}
+
+/// One a vesicle.
+void read_ratios(vtkDataArray* ratios, Scene& scene)
+{
+  if (ratios->GetNumberOfTuples() == 0 || ratios->GetNumberOfComponents() != 1)
+  {
+    throw InputError("the surface's field data Viscosity_Ratio must be one number a vesicle");
+  }
+  scene.companions.resize(ratios->GetNumberOfTuples() - 1);
+  for (vtkIdType v = 0; v < ratios->GetNumberOfTuples(); ++v)
+  {
+    const double ratio = ratios->GetComponent(v, 0);
+    if (!(ratio >= 0 && std::isfinite(ratio)))
+    {
+      throw InputError("the surface's field data Viscosity_Ratio must be 0 or more");
+    }
+    (v == 0 ? scene.fluid.viscosity_ratio : scene.companions[v - 1].viscosity_ratio) = ratio;
+  }
 }
 
 std::shared_ptr<const ImposedFlow> read_flow(vtkFieldData* from)
@@ -99,6 +126,87 @@ void add_number(vtkFieldData* to, const char* name, double value)
   to->AddArray(to_array(name, Eigen::MatrixXd::Constant(1, 1, value)));
 }
 
+void add_numbers(vtkFieldData* to, const char* name, const std::vector<double>& values)
+{
+  to->AddArray(to_array(name,
+    Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))));
+}
+
+void add_vesicle_ids(const std::vector<int>& ids, vtkPolyData* surface)
+{
+  vtkNew<vtkIntArray> array;
+  array->SetName(vesicle_ids_name);
+  for (const int id : ids)
+  {
+    array->InsertNextValue(id);
+  }
+  label(array);
+  surface->GetPointData()->AddArray(array);
+}
+
+std::vector<std::vector<int>> vesicle_points(vtkPolyData* surface)
+{
+  const TriangleMesh mesh = to_mesh(surface);
+  vtkDataArray* ids = surface->GetPointData()->GetArray(vesicle_ids_name);
+  std::vector<std::vector<int>> vesicles;
+  if (!ids)
+  {
+    const auto components = components_of(mesh);
+    if (components.size() < 2 || !topology(mesh).closed) // torn: it is told where it is used
+    {
+      std::vector<int> all(mesh.points.rows());
+      std::iota(all.begin(), all.end(), 0);
+      return { all };
+    }
+    for (const Component& component : components)
+    {
+      vesicles.push_back(points_of(mesh, component.triangles));
+    }
+    return vesicles;
+  }
+  std::map<double, std::vector<int>> by_id;
+  for (int i = 0; i < mesh.points.rows(); ++i)
+  {
+    by_id[ids->GetComponent(i, 0)].push_back(i);
+  }
+  for (int t = 0; t < mesh.triangles.rows(); ++t)
+  {
+    const auto id = [&](int corner) { return ids->GetComponent(mesh.triangles(t, corner), 0); };
+    if (id(0) != id(1) || id(0) != id(2))
+    {
+      throw InputError(
+        fmt::format("triangle {} of the surface has points of different Vesicle_Id", t));
+    }
+  }
+  for (auto& [id, points] : by_id)
+  {
+    vesicles.push_back(std::move(points));
+  }
+  return vesicles;
+}
+
+TriangleMesh part_with(const TriangleMesh& mesh, const std::vector<int>& points)
+{
+  std::vector<int> place(mesh.points.rows(), -1), triangles;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    place[points[i]] = static_cast<int>(i);
+  }
+  for (int t = 0; t < mesh.triangles.rows(); ++t)
+  {
+    if (place[mesh.triangles(t, 0)] >= 0)
+    {
+      triangles.push_back(t);
+    }
+  }
+  TriangleMesh part{ mesh.points(points, Eigen::all), mesh.triangles(triangles, Eigen::all) };
+  for (int& corner : part.triangles.reshaped())
+  {
+    corner = place[corner];
+  }
+  return part;
+}
+
 void add_surface(SurfaceBasis basis, double reduced_volume, vtkFieldData* to)
 {
   add_number(to, "Surface_Basis", static_cast<int>(basis));
@@ -115,7 +223,10 @@ SurfaceBasis surface_basis(vtkFieldData* from)
 void add_medium(const Scene& scene, double time, vtkFieldData* to)
 {
   add_number(to, "Viscosity", scene.fluid.viscosity);
-  add_number(to, "Viscosity_Ratio", scene.fluid.viscosity_ratio);
+  std::vector<double> ratios{ scene.fluid.viscosity_ratio };
+  for (const Scene::Companion& companion : scene.companions)
+    ratios.push_back(companion.viscosity_ratio);
+  add_numbers(to, "Viscosity_Ratio", ratios);
   add_number(to, "Surface_Basis", static_cast<int>(scene.accuracy.basis));
   const auto flow = flow_at(imposed_flow(scene), time);
   add_number(to, "Flow_Kind", flow ? number_of(flow->kind()) : 0);
@@ -135,13 +246,9 @@ Scene read_medium(vtkFieldData* from)
   {
     throw InputError("the surface's field data Viscosity must be above 0");
   }
-  if (from->HasArray("Viscosity_Ratio")) // of files of this version on
+  if (vtkDataArray* ratios = from->GetArray("Viscosity_Ratio")) // of files of this version on
   {
-    scene.fluid.viscosity_ratio = read_number(from, "Viscosity_Ratio");
-  }
-  if (!(scene.fluid.viscosity_ratio >= 0))
-  {
-    throw InputError("the surface's field data Viscosity_Ratio must be 0 or more");
+    read_ratios(ratios, scene);
   }
   scene.accuracy.basis =
     read_number(from, "Surface_Basis") == 0 ? Scene::Basis::linear : Scene::Basis::loop;

@@ -6,9 +6,10 @@
  * the properties (see vtkVesicleSceneAlgorithm; any consistent units, lengths in the input's): no
  * time passes, and nothing depends on a time step.
  *
- * Input: a closed surface of genus 0 in one piece. Polygons and strips are cut into triangles;
+ * Input: a closed surface of genus 0, or several of them apart from each other, each a vesicle with the
+ * same properties: those of the point array Vesicle_Id, or what is connected. Polygons and strips are cut into triangles;
  * vertices, lines and points that no polygon uses are dropped; triangles that face inward are
- * turned, with a warning. What isn't such a surface (holes, handles, several pieces, points that
+ * turned, with a warning. What isn't such a surface (holes, handles, points that
  * should be one) is refused with an error that names the place and a remedy. All other arrays pass
  * through; empty input gives empty output.
  *
@@ -33,7 +34,8 @@
  * and Tension_Force, without gravity no Gravity_Force. The tension of a sphere is known but for a
  * constant; its mean is then 0.
  *
- * Field data: Area, Volume, Reduced_Volume, Bending_Energy, and what vtkVesicleProbeFilter needs to
+ * Field data: Area, Volume, Reduced_Volume, Bending_Energy, of several vesicles a tuple each (and the
+ * point array Vesicle_Id), and what vtkVesicleProbeFilter needs to
  * find the velocity anywhere.
  *
  * Cost: a dense matrix between all points, 24 N² bytes for N points each of bending and tension.

@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -66,9 +67,8 @@ std::optional<Eigen::MatrixXd> point_array(vtkPolyData* surface, const char* nam
   return values;
 }
 
-TriangleMesh mesh_of(vtkPolyData* surface)
+TriangleMesh prepared(TriangleMesh mesh)
 {
-  TriangleMesh mesh = vesicle::to_mesh(surface);
   const auto points = mesh.points.rows();
   vesicle::prepare_for_dynamics(mesh, "source");
   if (mesh.points.rows() != points)
@@ -97,9 +97,9 @@ Points forces_on(vtkPolyData* surface)
 }
 
 /// Needed where the fluids differ.
-Points velocities_of(vtkPolyData* surface, double viscosity_ratio)
+Points velocities_of(vtkPolyData* surface, bool one_fluid)
 {
-  if (viscosity_ratio == 1)
+  if (one_fluid)
   {
     return {};
   }
@@ -113,23 +113,60 @@ Points velocities_of(vtkPolyData* surface, double viscosity_ratio)
   return *velocity;
 }
 
-/// What a source says of the flow around it.
+/// What a source says of the flow around it. Outside u = u∞ + Σ (S f/μ − (1 − λ) K u) over the
+/// vesicles, inside of one λ u is that.
 class Flow
 {
 public:
   explicit Flow(vtkDataObject* source)
-    : Surface(SurfaceOf(source)), Medium(vesicle::read_medium(this->Surface->GetFieldData())),
-      Fluids(mesh_of(this->Surface), this->Medium.accuracy.basis, forces_on(this->Surface),
-        velocities_of(this->Surface, this->Medium.fluid.viscosity_ratio),
-        this->Medium.fluid.viscosity, this->Medium.fluid.viscosity_ratio)
+    : Surface(SurfaceOf(source)), Medium(vesicle::read_medium(this->Surface->GetFieldData()))
   {
+    const std::vector<std::vector<int>> vesicles = vesicle::vesicle_points(this->Surface);
+    const TriangleMesh mesh = vesicle::to_mesh(this->Surface);
+    this->ReadRatios(vesicles.size());
+    const Points forces = forces_on(this->Surface),
+                 velocities = velocities_of(this->Surface,
+                   std::all_of(this->Ratios.begin(), this->Ratios.end(),
+                     [](double ratio) { return ratio == 1; }));
+    for (std::size_t v = 0; v < vesicles.size(); ++v)
+    {
+      const auto& points = vesicles[v];
+      this->Vesicles.emplace_back(prepared(vesicle::part_with(mesh, points)),
+        this->Medium.accuracy.basis, forces(points, Eigen::all),
+        velocities.rows() == 0 ? Points() : Points(velocities(points, Eigen::all)),
+        this->Medium.fluid.viscosity, this->Ratios[v]);
+    }
   }
 
   vesicle::FlowField::Flow At(const Points& points) const
   {
-    return this->Fluids.at(points,
-      this->Medium.flow ? this->Medium.flow->velocities(points)
-                        : Points(Points::Zero(points.rows(), 3)));
+    const Points at_rest = Points::Zero(points.rows(), 3);
+    const Points imposed = this->Medium.flow ? this->Medium.flow->velocities(points) : at_rest;
+    if (this->Vesicles.size() == 1)
+    {
+      return this->Vesicles.front().at(points, imposed);
+    }
+    vesicle::FlowField::Flow sum{ imposed, std::vector<unsigned char>(points.rows(), 0) };
+    Eigen::VectorXd ratio = Eigen::VectorXd::Ones(points.rows()); // of the fluid that a point is in
+    for (std::size_t v = 0; v < this->Vesicles.size(); ++v)
+    {
+      const auto own = this->Vesicles[v].at(points, at_rest);
+      for (Eigen::Index i = 0; i < points.rows(); ++i)
+      {
+        const bool inside = own.inside[i] != 0;
+        sum.velocity.row(i) += (inside ? this->Ratios[v] : 1) * own.velocity.row(i);
+        if (inside)
+        {
+          sum.inside[i] = 1;
+          ratio[i] = this->Ratios[v];
+        }
+      }
+    }
+    for (Eigen::Index i = 0; i < points.rows(); ++i)
+    {
+      sum.velocity.row(i) *= ratio[i] > 0 ? 1 / ratio[i] : 0;
+    }
+    return sum;
   }
 
 private:
@@ -138,9 +175,27 @@ private:
     return vesicle::without_ghosts(vesicle::triangulated(source, "source"));
   }
 
+  /// One for each, or one for all.
+  void ReadRatios(std::size_t vesicles)
+  {
+    this->Ratios.assign(vesicles, this->Medium.fluid.viscosity_ratio);
+    const auto& others = this->Medium.companions;
+    if (!others.empty() && others.size() + 1 != vesicles)
+    {
+      throw vesicle::InputError(
+        fmt::format("the source has {} vesicles, and field data Viscosity_Ratio for {}", vesicles,
+          others.size() + 1));
+    }
+    for (std::size_t v = 0; v < others.size(); ++v)
+    {
+      this->Ratios[v + 1] = others[v].viscosity_ratio;
+    }
+  }
+
   vtkSmartPointer<vtkPolyData> Surface;
   vesicle::Scene Medium;
-  vesicle::TwoFluidFlow Fluids;
+  std::vector<double> Ratios; ///< λ of each vesicle
+  std::vector<vesicle::TwoFluidFlow> Vesicles;
 };
 
 Points points_of(vtkDataSet* data, vtkIdType first, vtkIdType count)

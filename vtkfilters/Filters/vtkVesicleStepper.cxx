@@ -74,11 +74,39 @@ vesicle::Points points_at(Simulation& simulation, const Moment& moment)
 }
 
 /// The field data of the output contract.
-std::vector<std::pair<const char*, double>> numbers_of(const Diagnostics& d)
+constexpr std::pair<const char*, double Diagnostics::*> numbers[] = { { "Area",
+                                                                        &Diagnostics::area },
+  { "Volume", &Diagnostics::volume }, { "Reduced_Volume", &Diagnostics::reduced_volume },
+  { "Bending_Energy", &Diagnostics::bending_energy }, { "Area_Drift", &Diagnostics::area_drift },
+  { "Volume_Drift", &Diagnostics::volume_drift } };
+
+/// The parts of a surface, each a vesicle of the scene.
+std::vector<vesicle::StartMesh> parts_of(vtkPolyData* surface)
 {
-  return { { "Area", d.area }, { "Volume", d.volume }, { "Reduced_Volume", d.reduced_volume },
-    { "Bending_Energy", d.bending_energy }, { "Area_Drift", d.area_drift },
-    { "Volume_Drift", d.volume_drift } };
+  const vesicle::TriangleMesh mesh = vesicle::to_mesh(surface);
+  std::vector<vesicle::StartMesh> parts;
+  for (const std::vector<int>& points : vesicle::vesicle_points(surface))
+  {
+    parts.push_back({ vesicle::part_with(mesh, points), {} });
+  }
+  return parts;
+}
+
+/// Arrays of the start go with points and triangles that stay where they are.
+bool lies_in_order(vtkPolyData* surface)
+{
+  int next = 0;
+  for (const std::vector<int>& points : vesicle::vesicle_points(surface))
+  {
+    for (const int point : points)
+    {
+      if (point != next++)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 }
@@ -103,7 +131,7 @@ struct vtkVesicleStepper::Internals
   std::unique_ptr<vesicle::Trajectory> Path;
   vtkMTimeType SimulationTime = 0;
 
-  std::optional<Diagnostics> LastDiagnostics;
+  std::vector<Diagnostics> LastDiagnostics;
   std::int64_t DiagnosedStep = -1;
 
   /// A scene that isn't the properties'.
@@ -123,23 +151,32 @@ struct vtkVesicleStepper::Internals
       : vesicle::read_scene(this->SceneFileName, this->Overrides);
   }
 
-  vesicle::TriangleMesh StartMesh(vtkPolyData* start, std::string& notes) const
+  std::vector<vesicle::StartMesh> StartMeshes(vtkPolyData* start) const
   {
-    if (start)
+    if (!start)
     {
-      return vesicle::to_mesh(start);
+      return vesicle::start_meshes_of(this->CurrentScene);
     }
-    return vesicle::start_mesh_of(this->CurrentScene, notes);
+    if (this->CurrentScene.vesicles() == 1)
+    {
+      return { { vesicle::to_mesh(start), {} } };
+    }
+    if (!lies_in_order(start))
+    {
+      throw vesicle::InputError(
+        "the points of the start shape's vesicles must lie one vesicle after "
+        "the other, as frames of a run and vtkAppendPolyData have them");
+    }
+    return parts_of(start);
   }
 
   void StartAnew(vtkPolyData* start, int cache_size)
   {
     this->Path.reset();
     this->Sim.reset();
-    std::string notes;
-    vesicle::TriangleMesh mesh = this->StartMesh(start, notes);
-    notes = vesicle::lines({ notes, this->FieldNotes });
-    this->Sim = std::make_unique<Simulation>(this->CurrentScene, std::move(mesh), notes);
+    std::vector<vesicle::StartMesh> meshes = this->StartMeshes(start);
+    meshes.front().notes = vesicle::lines({ meshes.front().notes, this->FieldNotes });
+    this->Sim = std::make_unique<Simulation>(this->CurrentScene, meshes);
     if (this->GivenState)
     {
       this->Sim->require_own(*this->GivenState);
@@ -149,38 +186,38 @@ struct vtkVesicleStepper::Internals
     this->DiagnosedStep = -1;
   }
 
-  const Diagnostics& Diagnose()
+  const std::vector<Diagnostics>& Diagnose()
   {
     const State& last = this->Path->last();
     if (this->DiagnosedStep != last.step)
     {
-      this->LastDiagnostics = this->Sim->diagnose(last);
+      this->LastDiagnostics = this->Sim->diagnose_all(last);
       this->DiagnosedStep = last.step;
     }
-    return *this->LastDiagnostics;
+    return this->LastDiagnostics;
   }
 
-  Diagnostics Diagnose(const State& state)
+  std::vector<Diagnostics> Diagnose(const State& state)
   {
-    return state.step == this->Path->last().step ? this->Diagnose() : this->Sim->diagnose(state);
+    return state.step == this->Path->last().step ? this->Diagnose()
+                                                 : this->Sim->diagnose_all(state);
   }
 
   void AddNumbers(const Moment& moment, vtkPolyData* output)
   {
     vtkFieldData* to = output->GetFieldData();
     vesicle::add_number(to, "TimeValue", moment.time);
-    auto numbers = numbers_of(this->Diagnose(*moment.before));
-    if (moment.after)
+    const auto now = this->Diagnose(*moment.before);
+    const auto later = moment.after ? this->Diagnose(*moment.after) : now;
+    for (const auto& [name, member] : numbers)
     {
-      const auto later = numbers_of(this->Diagnose(*moment.after));
-      for (std::size_t i = 0; i < numbers.size(); ++i)
+      std::vector<double> values;
+      for (std::size_t v = 0; v < now.size(); ++v)
       {
-        numbers[i].second += share(moment) * (later[i].second - numbers[i].second);
+        const double value = now[v].*member;
+        values.push_back(moment.after ? value + share(moment) * (later[v].*member - value) : value);
       }
-    }
-    for (const auto& [name, value] : numbers)
-    {
-      vesicle::add_number(to, name, value);
+      vesicle::add_numbers(to, name, values);
     }
     vesicle::add_medium(this->CurrentScene, moment.time, to);
   }
@@ -192,14 +229,21 @@ struct vtkVesicleStepper::Internals
       output->ShallowCopy(vesicle::membrane_of(start));
     }
     const vesicle::VesicleState& vesicle = moment.before->vesicles[0];
-    if (start && !vesicle::same_triangles(vesicle.triangles, this->Sim->start_mesh().triangles))
+    if (start && this->Sim->vesicles() == 1 &&
+      !vesicle::same_triangles(vesicle.triangles, this->Sim->start_mesh().triangles))
     {
       output->GetPointData()->Initialize(); // the start's, on a mesh laid anew
       output->GetCellData()->Initialize();
     }
     output->SetPoints(vesicle::to_vtk_points(points_at(*this->Sim, moment)));
-    output->SetPolys(vesicle::to_cells(vesicle.triangles));
+    output->SetPolys(this->Sim->vesicles() == 1
+        ? vesicle::to_cells(vesicle.triangles)
+        : vesicle::to_cells(this->Sim->start_mesh().triangles));
     vesicle::add_fields(fields_at(*this->Sim, moment), this->CurrentScene, output);
+    if (this->Sim->vesicles() > 1)
+    {
+      vesicle::add_vesicle_ids(this->Sim->vesicle_ids(*moment.before), output);
+    }
     this->AddNumbers(moment, output);
     output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), moment.time);
   }
@@ -304,6 +348,11 @@ const State* vtkVesicleStepper::GetState() const
 }
 
 const Diagnostics& vtkVesicleStepper::GetDiagnostics() const
+{
+  return this->Internal->Diagnose().front();
+}
+
+const std::vector<Diagnostics>& vtkVesicleStepper::GetAllDiagnostics() const
 {
   return this->Internal->Diagnose();
 }
@@ -416,6 +465,12 @@ void vtkVesicleStepper::Prepare(vtkPolyData* start)
   if (internal.Path && internal.SimulationTime >= needed)
   {
     return;
+  }
+  if (start && !internal.HasScene())
+  {
+    internal.CurrentScene.companions.assign(
+      std::max<std::size_t>(vesicle::vesicle_points(start).size(), 1) - 1,
+      internal.CurrentScene.companion());
   }
   internal.StartAnew(start ? vesicle::membrane_of(start).Get() : nullptr, this->CacheSize);
   internal.SimulationTime = needed;

@@ -10,7 +10,9 @@
  * leaves unused). Overrides replace single settings of each of them. The start mesh is the optional
  * input, as it is (in the units of the scene; at its first time, if it has several), or else what
  * the scene's [vesicle] table says; with properties alone an input is needed. It must be a closed
- * surface of genus 0; polygons and strips are cut into triangles; an empty one gives empty output.
+ * surface of genus 0, or of as many of them as the scene has vesicles, in the order of their first
+ * triangles (with properties alone each is a vesicle); polygons and strips are cut into triangles; an
+ * empty one gives empty output.
  * Arrays of the input pass through, and stay with the mesh's points and triangles (which slide
  * along the membrane, unless accuracy.mesh_motion is "material").
  *
@@ -27,7 +29,9 @@
  * Mean_Curvature, Gauss_Curvature, Laplacian_Mean_Curvature, Normals, Bending_Force, Tension,
  * Tension_Force, Membrane_Force, Gravity_Force, Velocity, Surface_Divergence (the scene's
  * output.fields chooses); field data TimeValue, Area, Volume, Reduced_Volume, Bending_Energy,
- * Area_Drift, Volume_Drift, and what vtkVesicleProbeFilter needs to find the velocity anywhere. All
+ * Area_Drift, Volume_Drift, and what vtkVesicleProbeFilter needs to find the velocity anywhere. Of
+ * several vesicles the point array Vesicle_Id, from 0, tells them apart, and field data but for the
+ * time have a tuple for each. All
  * in the units of the scene. Mean curvature is 1/R on a sphere of radius R, n points outward, force
  * densities are what the membrane exerts on the fluid.
  *
@@ -53,6 +57,7 @@
 
 #ifndef __VTK_WRAP__
 #include <memory> // for the internals
+#include <vector> // for the diagnostics
 
 namespace vesicle
 {
@@ -178,8 +183,9 @@ public:
   /// Where the start can't be solved there is a simulation, with its start mesh, and no state.
   vesicle::Simulation* GetSimulation();
   const vesicle::State* GetState() const;
-  /// Of the last accepted state; there must be one.
+  /// Of the last accepted state; there must be one. Of the first vesicle, and of each.
   const vesicle::Diagnostics& GetDiagnostics() const;
+  const std::vector<vesicle::Diagnostics>& GetAllDiagnostics() const;
 #endif
 
 protected:

@@ -3,6 +3,7 @@
 #include "solver/mesh/DisjointSets.h"
 #include "solver/mesh/repair/Cleaning.h"
 
+#include <algorithm>
 #include <map>
 
 namespace vesicle
@@ -30,6 +31,17 @@ std::vector<Component> components_of(const TriangleMesh& mesh)
     component.area += (b - a).cross(c - a).norm() / 2;
   }
   return components;
+}
+
+std::vector<int> points_of(const TriangleMesh& mesh, const std::vector<int>& triangles)
+{
+  std::vector<int> points;
+  points.reserve(3 * triangles.size());
+  for (const int t : triangles)
+    points.insert(points.end(), mesh.triangles.row(t).begin(), mesh.triangles.row(t).end());
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
 }
 
 TriangleMesh part_of(const TriangleMesh& mesh, const std::vector<int>& triangles)

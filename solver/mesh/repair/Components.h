@@ -19,5 +19,7 @@ std::vector<Component> components_of(const TriangleMesh& mesh);
 
 /// A mesh of some triangles and the points that they use.
 TriangleMesh part_of(const TriangleMesh& mesh, const std::vector<int>& triangles);
+/// The points that some triangles use, ascending: those of part_of() in their order.
+std::vector<int> points_of(const TriangleMesh& mesh, const std::vector<int>& triangles);
 
 }

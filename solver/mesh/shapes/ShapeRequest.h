@@ -15,6 +15,8 @@ struct ShapeMode
   int l = 2;
   int m = 0;
   double amplitude = 0;
+
+  bool operator==(const ShapeMode&) const = default;
 };
 
 struct ShapeRequest
@@ -35,6 +37,8 @@ struct ShapeRequest
   /// Of an ellipsoid; with reduced_volume raised to a common power until it holds.
   std::array<double, 3> semi_axes{ 1, 1, 1 };
   std::vector<ShapeMode> modes; ///< of a perturbed sphere
+
+  bool operator==(const ShapeRequest&) const = default;
 };
 
 ShapeRequest::Kind shape_kind(const std::string& name); ///< throws InputError listing what is known

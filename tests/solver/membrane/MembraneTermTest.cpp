@@ -4,6 +4,7 @@
 #include "solver/membrane/Buoyancy.h"
 #include "solver/membrane/ElasticSheet.h"
 #include "solver/membrane/HelfrichBending.h"
+#include "solver/membrane/ScaledTerm.h"
 #include "tests/solver/support/TestMeshes.h"
 
 #include <gtest/gtest.h>
@@ -74,6 +75,8 @@ TEST_P(Term, PowerIsTheDescentOfTheEnergy)
 const MakeTerm bending = [](const SurfaceSpace& space) { return make_bending(space, 0); };
 const MakeTerm curved = [](const SurfaceSpace& space) { return make_bending(space, 1.5); };
 const MakeTerm inward = [](const SurfaceSpace& space) { return make_bending(space, -2); };
+const MakeTerm stronger = [](const SurfaceSpace& space)
+{ return std::make_unique<ScaledTerm>(make_bending(space, 1.5), 3.7); };
 const MakeTerm area_difference = [](const SurfaceSpace&)
 { return std::make_unique<AreaDifference>(1.4, 1.2); };
 const MakeTerm buoyancy = [](const SurfaceSpace& space) { return make_buoyancy(space, 3); };
@@ -92,6 +95,7 @@ INSTANTIATE_TEST_SUITE_P(Terms, Term,
   testing::Values(TermCase{ "Bending", bending, SurfaceBasis::loop, 1e-6, 1e-6 },
     TermCase{ "SpontaneousCurvature", curved, SurfaceBasis::loop, 1e-6, 1e-6 },
     TermCase{ "NegativeSpontaneousCurvature", inward, SurfaceBasis::loop, 1e-6, 1e-6 },
+    TermCase{ "StrongerBending", stronger, SurfaceBasis::loop, 1e-6, 1e-6 },
     TermCase{ "AreaDifference", area_difference, SurfaceBasis::loop, 1e-6, 1e-6 },
     TermCase{ "FlatAreaDifference", area_difference, SurfaceBasis::linear, 0.13, 0.032 },
     TermCase{ "Buoyancy", buoyancy, SurfaceBasis::loop, 2e-8, 2e-9 },

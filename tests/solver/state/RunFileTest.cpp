@@ -185,10 +185,11 @@ TEST_F(RunFileTest, OthersFindPlainDatasetsWithoutNaN)
     }
     run.close();
   }
-  EXPECT_EQ(column_in(file, "area"), (std::vector<double>{ 0, -1, -2, -3 }));
+  // A record a step and vesicle.
+  EXPECT_EQ(column_in(file, "area"), (std::vector<double>{ -0., 0, -1, 2, -2, 4, -3, 6 }));
   const double missing = std::numeric_limits<double>::lowest();
-  EXPECT_EQ(
-    column_in(file, "inclination_deg"), (std::vector<double>{ missing, 0.1, 0.1 * 2, missing }));
+  EXPECT_EQ(column_in(file, "inclination_deg"),
+    (std::vector<double>{ missing, 0, 0.1, 0.2, 0.1 * 2, 0.2 * 2, missing, 0.2 * 3 }));
   EXPECT_EQ(numbers_in(file, "/committed"), std::vector<double>{ 4 });
   EXPECT_EQ(numbers_in(file, "/state/0/vesicle_1/points").size(), 42u * 3);
   EXPECT_EQ(numbers_in(file, "/triangles/vesicle_0").size(), 9u);

@@ -114,7 +114,8 @@ std::vector<std::optional<double>> row(std::int64_t step)
 {
   const auto s = static_cast<double>(step);
   std::optional<double> undefined;
-  return { s / 3, -s, step % 3 == 0 ? undefined : 0.1 * s, 1 / (1 + s) };
+  return { s / 3, -s, step % 3 == 0 ? undefined : 0.1 * s, 1 / (1 + s), // of each vesicle
+    s / 7, 2 * s, 0.2 * s, step % 2 == 0 ? undefined : 3 * s };
 }
 
 std::filesystem::path empty_folder(const std::string& name)
