@@ -29,6 +29,7 @@ void add_check_command(CLI::App& app, Action& action);
 void add_run_command(CLI::App& app, Action& action);
 void add_sweep_command(CLI::App& app, Action& action);
 void add_shape_command(CLI::App& app, Action& action);
+void add_fill_command(CLI::App& app, Action& action);
 void add_equilibrium_command(CLI::App& app, Action& action);
 void add_curvature_command(CLI::App& app, Action& action);
 void add_repair_command(CLI::App& app, Action& action);

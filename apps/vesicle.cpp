@@ -117,6 +117,7 @@ int run_command_line(int argc, char** argv)
   add_run_command(app, action);
   add_sweep_command(app, action);
   add_shape_command(app, action);
+  add_fill_command(app, action);
   add_equilibrium_command(app, action);
   add_curvature_command(app, action);
   add_repair_command(app, action);

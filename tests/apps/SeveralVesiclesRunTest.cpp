@@ -1,8 +1,9 @@
-// What a run of several vesicles leaves behind, and going on with one.
+// What a run of several vesicles leaves behind, and going on with one; vesicle fill.
 
 #include "Command.h"
 #include "RunFiles.h"
 
+#include "solver/scene/SceneFile.h"
 #include "vtkfilters/Filters/MeshFiles.h"
 #include "vtkfilters/Filters/SeriesFile.h"
 
@@ -183,6 +184,39 @@ TEST_F(SeveralVesiclesRun, CheckCountsAll)
   const auto check = nlohmann::json::parse(outcome.output);
   EXPECT_EQ(check["mesh"]["vesicles"], 2);
   EXPECT_EQ(check["mesh"]["triangles"], 200);
+}
+
+TEST_F(SeveralVesiclesRun, FillWritesAScene)
+{
+  const std::vector<std::string> fill{ "fill", "two.toml", "--count", "5", "--box", "7", "7", "7",
+    "--seed", "3", "-o" };
+  auto arguments = fill;
+  arguments.emplace_back("many.toml");
+  const auto outcome = vesicle_command(folder.path(), arguments);
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const Scene scene = read_scene(folder / "many.toml");
+  ASSERT_EQ(scene.vesicles(), 5u);
+  for (std::size_t v = 0; v < 5; ++v)
+  {
+    EXPECT_EQ(scene.alone(v).vesicle.shape.kind, ShapeRequest::Kind::prolate);
+    EXPECT_EQ(scene.alone(v).gravity->bond_number, 5);
+    EXPECT_TRUE(scene.alone(v).vesicle.rotation);
+    EXPECT_LT(scene.alone(v).vesicle.center.cwiseAbs().maxCoeff(), 3.5);
+  }
+  EXPECT_EQ(vesicle_command(folder.path(), { "check", "many.toml" }).code, 0);
+
+  arguments = fill;
+  arguments.emplace_back("many.vtu");
+  ASSERT_EQ(vesicle_command(folder.path(), arguments).code, 0);
+  const auto mesh = read_mesh(folder / "many.vtu");
+  EXPECT_EQ(mesh->GetNumberOfPolys(), 5 * 80);
+  EXPECT_EQ(mesh->GetPointData()->GetArray("Vesicle_Id")->GetRange()[1], 4);
+
+  const auto crowded = vesicle_command(
+    folder.path(), { "fill", "two.toml", "--count", "500", "--ball", "3", "-o", "none.toml" });
+  EXPECT_EQ(crowded.code, 2);
+  EXPECT_NE(crowded.errors.find("of 500 vesicles fitted into the region"), std::string::npos)
+    << crowded.errors;
 }
 
 }
