@@ -97,6 +97,10 @@ void expect_same(const Scene& a, const Scene& b)
   EXPECT_EQ(a.movie.chart, b.movie.chart);
   EXPECT_EQ(a.output.fields, b.output.fields);
   EXPECT_EQ(a.output.directory, b.output.directory);
+
+  ASSERT_EQ(a.companions.size(), b.companions.size());
+  for (std::size_t v = 1; v < a.vesicles(); ++v)
+    EXPECT_EQ(write_scene(a.alone(v)), write_scene(b.alone(v)));
 }
 
 Scene written_and_read(const Scene& scene)
