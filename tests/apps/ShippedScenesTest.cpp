@@ -23,8 +23,8 @@ std::vector<std::string> run_of(
   arguments.insert(arguments.end(), coarse_and_short.begin(), coarse_and_short.end());
   // Some things are had on Loop's surface only, which "fast" hasn't.
   const Scene read = read_scene(scene);
-  if (read.vesicles() == 1 && read.accuracy.mesh_motion != Scene::MeshMotion::adaptive && read.fluid.viscosity_ratio == 1 &&
-    !read.membrane.shear_modulus)
+  if (read.vesicles() == 1 && read.accuracy.mesh_motion != Scene::MeshMotion::adaptive &&
+    read.fluid.viscosity_ratio == 1 && !read.membrane.shear_modulus)
     arguments.insert(arguments.end(), { "--set", "accuracy.preset=fast" });
   if (read.vesicles() > 8)
     arguments.insert(arguments.end(), { "--set", "vesicle.triangles=60" });
