@@ -8,6 +8,7 @@
 #include "vtkfilters/Filters/VtkMessages.h"
 
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
