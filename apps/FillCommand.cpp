@@ -48,8 +48,10 @@ FillRegion region_of(const FillOptions& o)
     region = { FillRegion::Kind::tube, Vector3(o.tube[1], 0, 0), o.tube[0] };
   else if (o.ball > 0)
     region = { FillRegion::Kind::ball, Vector3::Zero(), o.ball };
-  else
+  else if (o.box[0] > 0)
     region.sides = Vector3(o.box[0], o.box[1], o.box[2]);
+  else
+    throw InputError("there is no region to fill: give --box, --tube or --ball");
   return region;
 }
 
@@ -144,12 +146,17 @@ void add_fill_command(CLI::App& app, Action& action)
   command->add_option("--count", settings.count, "How many")
     ->required()
     ->check(CLI::Range(1, 100'000));
-  auto* region = command->add_option_group("region", "About the origin, in the scene's length");
-  region->add_option("--box", options->box, "Sides x y z")->check(CLI::PositiveNumber);
-  region->add_option("--tube", options->tube, "Radius and length of a cylinder along x")
-    ->check(CLI::PositiveNumber);
-  region->add_option("--ball", options->ball, "Radius")->check(CLI::PositiveNumber);
-  region->require_option(1);
+  const std::string about = " about the origin, in the scene's length";
+  auto* box = command->add_option("--box", options->box, "Sides x y z of a box" + about)
+                ->check(CLI::PositiveNumber);
+  auto* tube =
+    command->add_option("--tube", options->tube, "Radius and length of a cylinder along x" + about)
+      ->check(CLI::PositiveNumber)
+      ->excludes(box);
+  command->add_option("--ball", options->ball, "Radius of a ball" + about)
+    ->check(CLI::PositiveNumber)
+    ->excludes(box)
+    ->excludes(tube);
   command
     ->add_option("--gap", options->gap, "Between two vesicles at the least, in r0 of the vesicle")
     ->check(CLI::NonNegativeNumber)

@@ -68,7 +68,7 @@ TEST(New, WritesAFileButNeverOverOne)
 TEST(New, NamesWhatWasProbablyMeant)
 {
   const TemporaryFolder folder;
-  const auto outcome = vesicle_command(folder.path(), { "new", "paer" });
+  const auto outcome = vesicle_command(folder.path(), { "new", "peer" });
   EXPECT_EQ(outcome.code, 2);
   expect_in(outcome.errors, "did you mean 'pear'?");
   expect_in(outcome.errors, "tank-treading");
