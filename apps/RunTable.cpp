@@ -64,6 +64,8 @@ std::vector<std::string> run_columns(std::size_t vesicles)
   if (vesicles > 1)
     columns.emplace_back("vesicle");
   columns.insert(columns.end(), Diagnostics::names().begin(), Diagnostics::names().end());
+  if (vesicles > 1)
+    columns.emplace_back("gap");
   return columns;
 }
 
@@ -76,6 +78,8 @@ Row run_row(const std::vector<Diagnostics>& vesicles)
       row.emplace_back(static_cast<double>(v));
     const auto values = vesicles[v].values();
     row.insert(row.end(), values.begin(), values.end());
+    if (vesicles.size() > 1)
+      row.push_back(vesicles[v].gap);
   }
   return row;
 }

@@ -25,7 +25,8 @@ struct RunTable
   RunTable of_vesicle(std::size_t vesicle) const;
 };
 
-/// The columns of a run's table: those of Diagnostics, after `vesicle` where there are several.
+/// The columns of a run's table: those of Diagnostics; where there are several, `vesicle` before and `gap`
+/// behind them.
 std::vector<std::string> run_columns(std::size_t vesicles);
 /// What a step adds to it: the rows of all vesicles, one after the other.
 Row run_row(const std::vector<Diagnostics>& vesicles);

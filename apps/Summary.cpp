@@ -58,7 +58,10 @@ Json final_of(const std::vector<Diagnostics>& last)
     return observables(last.front());
   Json all = Json::array();
   for (const Diagnostics& vesicle : last)
+  {
     all.push_back(observables(vesicle));
+    all.back()["gap"] = number_or_null(vesicle.gap);
+  }
   return all;
 }
 

@@ -42,6 +42,9 @@ struct Diagnostics
   double triangles = 0;
   double remeshings = 0;       ///< so far
   double remeshing_energy = 0; ///< what they have changed the membrane's energy by, in all
+  /// Distance to the nearest other vesicle; none where there is no other within r0. Not among the names and
+  /// values below, which a vesicle alone has.
+  std::optional<double> gap;
 
   static const std::vector<std::string>& names(); ///< the CSV's header
   std::vector<std::optional<double>> values() const;

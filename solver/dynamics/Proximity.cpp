@@ -224,6 +224,15 @@ std::optional<Gap> Proximity::smallest() const
     gaps.begin(), gaps.end(), [](const Gap& a, const Gap& b) { return a.distance < b.distance; });
 }
 
+std::vector<double> distances(const Proximity& proximity)
+{
+  std::vector<double> least(proximity.sides(), std::numeric_limits<double>::infinity());
+  for (const Proximity::NearVertex& near : proximity.near())
+    for (const std::size_t v : { near.vesicle, near.other })
+      least[v] = std::min(least[v], near.place.distance);
+  return least;
+}
+
 Gap smallest_gap(const std::vector<Proximity::Side>& sides)
 {
   // No farther than the vertices of the vesicles whose boxes are nearest.

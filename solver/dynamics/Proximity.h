@@ -79,6 +79,10 @@ private:
   std::vector<NearVertex> near_;
 };
 
+/// Of each vesicle the distance to the nearest other one, by the vertices of both; infinite where none is
+/// within reach.
+std::vector<double> distances(const Proximity& proximity);
+
 /// The smallest gap, however large. With at least two vesicles.
 Gap smallest_gap(const std::vector<Proximity::Side>& sides);
 

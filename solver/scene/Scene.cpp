@@ -15,6 +15,7 @@ Scene Scene::alone(std::size_t number) const
 {
   Scene scene = *this;
   scene.companions.clear();
+  scene.interaction.reset();
   if (number > 0)
   {
     const Companion& own = companions.at(number - 1);

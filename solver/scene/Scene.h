@@ -71,6 +71,14 @@ struct Scene
   };
   std::optional<Gravity> gravity; ///< empty: no buoyancy
 
+  /// Between vesicles, beside what the fluid does.
+  struct Interaction
+  {
+    double repulsion = 0; ///< ε, an energy an area, above 0
+    double range = 0;     ///< δ, a length, above 0
+  };
+  std::optional<Interaction> interaction; ///< empty: none
+
   /// A vesicle beside the first one, with what of it may be another's.
   struct Companion
   {

@@ -114,6 +114,9 @@ Scene read_document(const SceneDocument& document)
     scene.companions.push_back(read_vesicle(document.of_vesicle(v)).companion());
   if (!scene.companions.empty())
     check_several(document, scene);
+  else if (scene.interaction)
+    TableReader(document, "interaction")
+      .fail("repulsion", "is between vesicles, and there is one", "several [[vesicle]] tables");
   return scene;
 }
 

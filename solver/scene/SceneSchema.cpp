@@ -256,6 +256,34 @@ SceneTable gravity_table()
   return table;
 }
 
+SceneTable interaction_table()
+{
+  const auto in_interaction = [](auto member)
+  {
+    return [=](auto& scene) -> auto&
+    {
+      return (*scene.interaction).*member;
+    };
+  };
+  using Interaction = Scene::Interaction;
+  SceneTable table;
+  table.name = "interaction";
+  table.help =
+    "A short-range repulsion between vesicles, ∮ repulsion (range/d − 1)² dS over each where its "
+    "distance d to another is below the range. Without the table there is none.";
+  table.keys = {
+    key("repulsion", in_interaction(&Interaction::repulsion), rules::Number{ positive },
+      "energy / area", "its strength")
+      .required(),
+    key("range", in_interaction(&Interaction::range), rules::Number{ positive }, "length",
+      "where it begins")
+      .required(),
+  };
+  table.present = [](const Scene& scene) { return scene.interaction.has_value(); };
+  table.create = [](Scene& scene) { scene.interaction = Interaction{}; };
+  return table;
+}
+
 SceneTable time_table()
 {
   using Time = Scene::Time;
@@ -446,8 +474,8 @@ SceneTable output_table()
 const std::vector<SceneTable>& scene_schema()
 {
   static const std::vector<SceneTable> tables{ top_table(), vesicle_table(), membrane_table(),
-    fluid_table(), flow_table(), gravity_table(), time_table(), accuracy_table(), movie_table(),
-    output_table() };
+    fluid_table(), flow_table(), gravity_table(), interaction_table(), time_table(),
+    accuracy_table(), movie_table(), output_table() };
   return tables;
 }
 

@@ -554,11 +554,21 @@ Diagnostics Simulation::diagnose(const State& state, std::size_t vesicle)
   return impl_->diagnose(state, *impl_->shape(state), vesicle);
 }
 
+// Looked for within this, in r0.
+static constexpr double told_gap = 1;
+
 std::vector<Diagnostics> Simulation::diagnose_all(const State& state)
 {
   const auto shape = impl_->shape(state);
   std::vector<Diagnostics> all(vesicles());
   parallel_for(vesicles(), [&](std::size_t v) { all[v] = impl_->diagnose(state, *shape, v); });
+  if (vesicles() > 1)
+  {
+    const std::vector<double> gaps = distances(Proximity(sides(*shape), told_gap));
+    for (std::size_t v = 0; v < vesicles(); ++v)
+      if (std::isfinite(gaps[v]))
+        all[v].gap = gaps[v] * scales().length;
+  }
   return all;
 }
 

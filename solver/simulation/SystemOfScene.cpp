@@ -73,12 +73,19 @@ MembraneTerms membrane_terms(const Scene& scene, const SurfaceSpace& space, cons
   return terms;
 }
 
-static Vesicle vesicle_of(const Scene& scene, const Scales& scales, const VesicleMesh& mesh)
+/// With nothing but what its mesh fixes.
+static Vesicle bare_vesicle(const Scene& scene, const VesicleMesh& mesh)
 {
   const Scene::Accuracy& accuracy = scene.accuracy;
-  auto space = std::make_unique<SurfaceSpace>(
-    accuracy.basis, curvature_of(accuracy), mesh.triangles, mesh.nodes, accuracy.quadrature);
-  Vesicle vesicle = make_vesicle(std::move(space), accuracy.quadrature);
+  return make_vesicle(std::make_shared<const SurfaceSpace>(accuracy.basis, curvature_of(accuracy),
+                        mesh.triangles, mesh.nodes, accuracy.quadrature),
+    accuracy.quadrature);
+}
+
+static void add_physics(
+  Vesicle& vesicle, const Scene& scene, const Scales& scales, const VesicleMesh& mesh)
+{
+  const Scene::Accuracy& accuracy = scene.accuracy;
   vesicle.conserved = accuracy.scheme != Scene::Scheme::paper;
   vesicle.motion = accuracy.mesh_motion == Scene::MeshMotion::material ? NodeMotionKind::material
                                                                        : NodeMotionKind::normal;
@@ -92,15 +99,46 @@ static Vesicle vesicle_of(const Scene& scene, const Scales& scales, const Vesicl
   if (scene.gravity)
     if (const double bond = bond_number(*scene.gravity, scales); bond != 0)
       vesicle.terms.push_back(make_buoyancy(*vesicle.space, bond));
-  return vesicle;
+}
+
+/// For each mesh the first one that has the same triangles, with which it shares what they fix.
+static std::vector<std::size_t> first_alike(const std::vector<VesicleMesh>& meshes)
+{
+  std::vector<std::size_t> first;
+  for (std::size_t v = 0; v < meshes.size(); ++v)
+  {
+    std::size_t like = 0;
+    while (like < v &&
+      !(first[like] == like && meshes[like].nodes == meshes[v].nodes &&
+        same_triangles(meshes[like].triangles, meshes[v].triangles)))
+      ++like;
+    first.push_back(like);
+  }
+  return first;
 }
 
 System system_of(const Scene& scene, const Scales& scales, const std::vector<VesicleMesh>& meshes)
 {
   System system;
   system.vesicles.resize(meshes.size());
+  const std::vector<std::size_t> like = first_alike(meshes);
   parallel_for(meshes.size(),
-    [&](std::size_t v) { system.vesicles[v] = vesicle_of(scene.alone(v), scales, meshes[v]); });
+    [&](std::size_t v)
+    {
+      if (like[v] == v)
+        system.vesicles[v] = bare_vesicle(scene, meshes[v]);
+    });
+  parallel_for(meshes.size(),
+    [&](std::size_t v)
+    {
+      if (like[v] != v)
+        system.vesicles[v] = make_vesicle_like(system.vesicles[like[v]]);
+      add_physics(system.vesicles[v], scene.alone(v), scales, meshes[v]);
+    });
+  if (scene.interaction)
+    system.repulsion =
+      Repulsion{ scene.interaction->repulsion * scales.length * scales.length / scales.energy,
+        scene.interaction->range / scales.length };
   if (const auto flow = imposed_flow(scene))
     system.flow = flow->dimensionless(scales.length, scales.velocity());
   return system;
