@@ -1,13 +1,16 @@
 #include "Extremes.h"
 
 #include "solver/Errors.h"
+#include "solver/mesh/MeshQuality.h"
 #include "solver/mesh/SelfCrossing.h"
 #include "solver/scene/SceneFile.h"
 #include "solver/simulation/Simulation.h"
 #include "solver/simulation/StartMesh.h"
+#include "solver/mesh/shapes/SampleMeshes.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vesicle::test
@@ -98,7 +101,7 @@ void add_units(std::vector<Cell>& cells, int triangles)
       1 });
   }
   for (const double away : { 1e3, 1e6 })
-    cells.push_back({ "units", fmt::format("{:g} radii away", away),
+    cells.push_back({ "units", fmt::format("{:g} r0 away", away),
       vesicle("prolate", 0.8, triangles) + fmt::format("center = [{0:.1f}, {0:.1f}, 0.0]\n", away) +
         bending + time_table(0.1),
       1 });
@@ -108,7 +111,7 @@ void add_others(std::vector<Cell>& cells, int triangles)
 {
   const std::pair<const char*, const char*> drives[]{ { "at rest", "" },
     { "shear", "[flow]\nkind = \"shear\"\nrate = 1.0\n" },
-    { "planar extension", "[flow]\nkind = \"extension\"\ntype = \"planar\"\nrate = 1.0\n" },
+    { "extension", "[flow]\nkind = \"extension\"\ntype = \"planar\"\nrate = 1.0\n" },
     { "gravity", "[gravity]\nbond_number = 1\n" } };
   for (const auto& [name, drive] : drives)
     cells.push_back({ "exact sphere", name,
@@ -140,9 +143,101 @@ void add_fluids_and_sheets(std::vector<Cell>& cells, int triangles)
       1 });
 }
 
+/// The mesh of a scene with another point for each.
+template<class Map>
+TriangleMesh moved(const std::string& scene, Map map)
+{
+  TriangleMesh mesh = make_start_mesh(parse_scene(scene, "cell"));
+  for (Eigen::Index i = 0; i < mesh.points.rows(); ++i)
+    mesh.points.row(i) = map(i, Vector3(mesh.points.row(i).transpose())).transpose();
+  return mesh;
+}
+
+/// A sphere whose points are drawn to its equator, all triangles with corners on the sphere, until the
+/// smallest angle is that.
+TriangleMesh drawn_to_the_equator(const std::string& sphere, double smallest_angle)
+{
+  const auto drawn = [&](double factor)
+  {
+    return moved(sphere,
+      [=](Eigen::Index, const Vector3& x)
+      { return Vector3(x.x(), x.y(), factor * x.z()).normalized(); });
+  };
+  double low = 0, high = 1;
+  for (int i = 0; i < 60; ++i)
+    (mesh_quality(drawn((low + high) / 2)).min_angle_deg < smallest_angle ? low : high) =
+      (low + high) / 2;
+  return drawn(high);
+}
+
+/// Meshes as a file may bring them, taken as they are.
+void add_meshes(std::vector<Cell>& cells, int triangles)
+{
+  const std::string drive = bending + "[flow]\nkind = \"shear\"\nrate = 1.0\n" + time_table(0.1);
+  const std::string start = vesicle("prolate", 0.9, triangles) + drive;
+  for (const double share : { 0.1, 0.2, 0.3 })
+  {
+    const double edge = std::sqrt(4 * M_PI / triangles * 4 / std::sqrt(3.));
+    const auto jitter = [=](Eigen::Index i, const Vector3& x)
+    {
+      const Vector3 random(
+        std::sin(12.9898 * i + 1), std::sin(78.233 * i + 2), std::sin(37.719 * i + 3));
+      return Vector3(x + share * edge * random.normalized());
+    };
+    cells.push_back(
+      { "mesh", fmt::format("jittered by {:g}", share), start, 1, moved(start, jitter) });
+  }
+  const std::string sphere =
+    fmt::format("[vesicle]\nshape = \"sphere\"\ntriangles = {}\n", triangles) + drive;
+  for (const double angle : { 10., 1. })
+    cells.push_back({ "mesh", fmt::format("angles of {:g}°", angle), sphere, 1,
+      drawn_to_the_equator(sphere, angle) });
+}
+
+/// Sums what a membrane's energy gains and loses from one state to the next.
+class EnergyBooks
+{
+public:
+  void add(const Diagnostics& d)
+  {
+    if (steps_++ > 0)
+    {
+      const double half = (d.time - last_.time) / 2;
+      gained_ += half * (d.power_in - d.dissipation + last_.power_in - last_.dissipation);
+      work_ += half * (d.power_in + last_.power_in);
+      moved_ += half *
+        (std::abs(d.power_in) + d.dissipation + std::abs(last_.power_in) + last_.dissipation);
+    }
+    else
+      first_ = d;
+    last_ = d;
+  }
+  std::optional<double> imbalance() const
+  {
+    if (steps_ < 3 || moved_ == 0)
+      return {};
+    return std::abs(last_.bending_energy - first_.bending_energy - gained_) / moved_;
+  }
+
+  /// What the energy has risen by beyond all work that was done, which no membrane does: nothing but
+  /// that work makes it rise, and only what is left of it after what the fluid dissipates. Up to the
+  /// error of the rule that sums the work.
+  double unpaid() const
+  {
+    const double rise = last_.bending_energy - first_.bending_energy;
+    return rise - work_ - 0.1 * moved_ - 1e-6 * last_.bending_energy;
+  }
+
+private:
+  int steps_ = 0;
+  Diagnostics first_, last_;
+  double gained_ = 0, work_ = 0, moved_ = 0;
+};
+
 CellResult judged(Simulation& simulation, const State& state, CellResult result)
 {
   const Diagnostics d = simulation.diagnose(state);
+  result.longest = d.semi_axes[0];
   const ErrorEstimate errors = simulation.error_estimate(state);
   result.energy = d.energy_over_8pi;
   result.estimate = errors.space() + errors.time;
@@ -170,14 +265,18 @@ CellResult simulated(const Cell& cell)
 {
   CellResult result{ CellResult::End::runs, "" };
   const Scene scene = parse_scene(cell.scene, "cell");
-  Simulation simulation(scene, make_start_mesh(scene));
+  Simulation simulation(scene, cell.mesh ? *cell.mesh : make_start_mesh(scene));
+  const bool has_energy = scene.membrane.bending_rigidity || scene.membrane.shear_modulus;
+  EnergyBooks books;
   State state;
   try
   {
     state = simulation.start();
+    books.add(simulation.diagnose(state));
     while (!simulation.finished(state))
     {
       state = simulation.step(state);
+      books.add(simulation.diagnose(state));
       result.steps = static_cast<int>(state.step + state.controller.rejected);
       result.time = state.time;
       if (result.steps > most_steps * cell.strain)
@@ -191,6 +290,11 @@ CellResult simulated(const Cell& cell)
     result.message = error.what();
     return result;
   }
+  if (has_energy)
+    result.imbalance = books.imbalance();
+  if (has_energy && books.unpaid() > 0)
+    return { CellResult::End::wrong, "its energy rises without any work that pays for it",
+      state.time, result.steps };
   return judged(simulation, state, result);
 }
 
@@ -206,6 +310,7 @@ std::vector<Cell> extremes(int triangles)
   add_units(cells, triangles);
   add_others(cells, triangles);
   add_fluids_and_sheets(cells, triangles);
+  add_meshes(cells, triangles);
   return cells;
 }
 
@@ -221,6 +326,13 @@ catch (const InputError& error)
 catch (const std::exception& error)
 {
   return { CellResult::End::wrong, error.what() };
+}
+
+double difference(const CellResult& a, const CellResult& b)
+{
+  const auto relative = [](double x, double y)
+  { return y == 0 ? std::abs(x) : std::abs(x / y - 1); };
+  return std::max(relative(a.energy, b.energy), relative(a.longest, b.longest));
 }
 
 const char* end_name(CellResult::End end)

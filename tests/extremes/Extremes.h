@@ -1,6 +1,9 @@
 #pragma once
 // What becomes of scenes at the ends of what can be asked for.
 
+#include "solver/mesh/TriangleMesh.h"
+
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +17,7 @@ struct Cell
   std::string scene; ///< TOML
   double strain =
     1; ///< how far the fluid is sheared, or how many of its own times the membrane has
+  std::optional<TriangleMesh> mesh = std::nullopt; ///< to start from; empty: what the scene says
 };
 
 struct CellResult
@@ -31,7 +35,11 @@ struct CellResult
   double time = 0;     ///< that it came to
   int steps = 0;       ///< accepted and refused ones
   double energy = 0;   ///< E/8πEB at the end
-  double estimate = 0; ///< the run's own, in space and time
+  double longest = 0;  ///< semi-axis at the end, in the scene's units
+  double estimate = 0; ///< the run's own error, in space and time
+  /// What the membrane's energy changed by less the power of all that acts on it, over the sum of
+  /// what came in and what was lost; empty: no energy, or no steps between.
+  std::optional<double> imbalance = std::nullopt;
 };
 
 /// Accepted and refused steps a unit of strain.
@@ -40,6 +48,8 @@ inline constexpr double most_steps = 400;
 /// The rows of a map on meshes of so many triangles.
 std::vector<Cell> extremes(int triangles);
 CellResult run_cell(const Cell& cell);
+/// By how much two runs of a cell differ at the end, relative: in energy or in length, whichever is more.
+double difference(const CellResult& a, const CellResult& b);
 const char* end_name(CellResult::End end);
 
 }
