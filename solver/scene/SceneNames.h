@@ -86,7 +86,7 @@ inline const std::vector<std::string> chart_names{ "none", "energy", "inclinatio
 inline const std::vector<std::string> field_names{ "Mean_Curvature", "Gauss_Curvature",
   "Laplacian_Mean_Curvature", "Normals", "Bending_Force", "Area_Difference_Force", "Elastic_Force",
   "Tension", "Tension_Force", "Membrane_Force", "Gravity_Force", "Velocity", "Surface_Divergence",
-  "Vesicle_Id" };
+  "Repulsion_Force", "Vesicle_Id" };
 
 template<class Choices, class Choice>
 std::string name_of(const Choices& choices, Choice choice)

@@ -35,6 +35,7 @@ const std::map<std::string_view, const char*>& units()
     { "Tension_Force", "force/length^2" },
     { "Membrane_Force", "force/length^2" },
     { "Gravity_Force", "force/length^2" },
+    { "Repulsion_Force", "force/length^2" },
     { "Tension", "force/length" },
     { "Velocity", "length/time" },
     { "Surface_Divergence", "1/time" },

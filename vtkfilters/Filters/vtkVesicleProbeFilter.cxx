@@ -89,9 +89,12 @@ Points forces_on(vtkPolyData* surface)
                               "vtkVesicleStepper and vtkVesicleForceFilter have");
   }
   Points forces = *membrane;
-  if (const auto gravity = point_array(surface, "Gravity_Force", 3))
+  for (const char* name : { "Gravity_Force", "Repulsion_Force" })
   {
-    forces += *gravity;
+    if (const auto others = point_array(surface, name, 3))
+    {
+      forces += *others;
+    }
   }
   return forces;
 }
