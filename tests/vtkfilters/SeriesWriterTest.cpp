@@ -1,6 +1,7 @@
 #include "vtkfilters/Filters/SeriesWriter.h"
 
 #include "vtkfilters/Filters/MeshConversion.h"
+#include "vtkfilters/Filters/VtkMessages.h"
 
 #include "solver/Errors.h"
 #include "solver/files/FileBytes.h"
@@ -9,12 +10,15 @@
 #include "tests/support/TemporaryFolder.h"
 
 #include "vtkDoubleArray.h"
+#include "vtkErrorCode.h"
 #include "vtkFieldData.h"
+#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVesicleSeriesWriter.h"
 #include "vtkXMLDataElement.h"
 #include "vtkXMLUnstructuredGridReader.h"
 #include "vtkXMLUtilities.h"
@@ -172,6 +176,38 @@ TEST(SeriesWriter, NowhereToWriteIsAnIoError)
   replace_file(folder / "file", "in the way");
   SeriesWriter series(folder / "file", "run");
   EXPECT_THROW(series.append(surface(), 0), IoError);
+}
+
+TEST(SeriesWriter, AsAnAlgorithmWritesAFrameEachTime)
+{
+  const TemporaryFolder folder;
+  vtkNew<vtkVesicleSeriesWriter> writer;
+  const auto frame = surface();
+  writer->SetInputData(frame);
+  const VtkMessages messages;
+  writer->Write();
+  EXPECT_EQ(writer->GetErrorCode(), vtkErrorCode::NoFileNameError);
+  writer->SetFileName((folder / "new/run.pvd").c_str());
+  writer->Write();
+  EXPECT_EQ(writer->GetErrorCode(), vtkErrorCode::CannotOpenFileError) << "no time";
+  for (const double time : { 0.5, 1.5 })
+  {
+    frame->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+    writer->Write();
+    EXPECT_EQ(writer->GetErrorCode(), vtkErrorCode::NoError);
+  }
+  expect_series(folder / "new/run.pvd", { 0.5, 1.5 });
+  expect_series(folder / "new/run.vtu.series", { 0.5, 1.5 });
+
+  vtkNew<vtkDoubleArray> value;
+  value->SetName("TimeValue");
+  value->InsertNextValue(2.5);
+  frame->GetFieldData()->AddArray(value);
+  writer->Write();
+  expect_series(folder / "new/run.pvd", { 0.5, 1.5, 2.5 });
+  writer->SetFileName((folder / "other.pvd").c_str());
+  writer->Write();
+  expect_series(folder / "other.pvd", { 2.5 });
 }
 
 }

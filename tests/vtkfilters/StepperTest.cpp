@@ -4,6 +4,7 @@
 #include "vtkfilters/Filters/MeshConversion.h"
 #include "vtkfilters/Filters/VtkMessages.h"
 
+#include "solver/dynamics/Diagnostics.h"
 #include "solver/simulation/Simulation.h"
 #include "solver/files/FileBytes.h"
 #include "solver/scene/SceneFile.h"
@@ -17,13 +18,17 @@
 #include "vtkPolyData.h"
 #include "vtkReverseSense.h"
 #include "vtkSphereSource.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
 #include "vtkTransform.h"
 #include "vtkTransformPolyDataFilter.h"
+#include "vtkVariant.h"
 #include "vtkVesicleSource.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -477,6 +482,44 @@ TEST(Stepper, ErrorsAndWarningsGoToObservers)
   const VtkMessages executive;
   stepper->UpdateTimeStep(0);
   EXPECT_GE(heard.errors, 1);
+}
+
+/// What observers in languages that have no Diagnostics follow.
+TEST(Stepper, TellsOfTheLastStepAsATableAndAsASurface)
+{
+  struct Follower
+  {
+    vtkNew<vtkPolyData> surface;
+    vtkSmartPointer<vtkTable> table;
+    void note(vtkObject* caller, unsigned long, void*)
+    {
+      auto* stepper = vtkVesicleStepper::SafeDownCast(caller);
+      table = stepper->GetDiagnosticsTable();
+      stepper->CopyState(surface);
+    }
+  } follower;
+  vtkNew<vtkVesicleStepper> stepper;
+  stepper->SetScene(scene());
+  EXPECT_EQ(stepper->GetDiagnosticsTable(), nullptr);
+  EXPECT_EQ(stepper->GetNextOutputTime(), VTK_DOUBLE_MAX);
+  EXPECT_STREQ(stepper->GetSettings(), "");
+  stepper->AddObserver(vtkVesicleStepper::StepAcceptedEvent, &follower, &Follower::note);
+  points_at(stepper, 0.5);
+
+  EXPECT_EQ(stepper->GetNextOutputTime(), 0.75);
+  EXPECT_EQ(write_scene(parse_scene(stepper->GetSettings(), "settings")), write_scene(scene()));
+  const auto& names = Diagnostics::names();
+  const auto values = stepper->GetDiagnostics().values();
+  ASSERT_EQ(follower.table->GetNumberOfColumns(), static_cast<vtkIdType>(names.size()));
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    const double value = follower.table->GetValueByName(0, names[i].c_str()).ToDouble();
+    EXPECT_TRUE(values[i] ? value == *values[i] : std::isnan(value)) << names[i];
+  }
+  EXPECT_EQ(to_mesh(follower.surface).points, to_mesh(stepper->GetOutput()).points);
+  EXPECT_EQ(follower.surface->GetPointData()->GetNumberOfArrays(),
+    stepper->GetOutput()->GetPointData()->GetNumberOfArrays());
+  EXPECT_EQ(field(follower.surface, "TimeValue"), 0.5);
 }
 
 }

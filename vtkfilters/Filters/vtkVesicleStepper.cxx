@@ -14,19 +14,24 @@
 #include "solver/simulation/Trajectory.h"
 
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTable.h"
 #include "vtkTimeStamp.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -109,6 +114,21 @@ bool lies_in_order(vtkPolyData* surface)
   return true;
 }
 
+vtkSmartPointer<vtkTable> table_of(const Diagnostics& diagnostics)
+{
+  auto table = vtkSmartPointer<vtkTable>::New();
+  const auto& names = Diagnostics::names();
+  const auto values = diagnostics.values();
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    vtkNew<vtkDoubleArray> column;
+    column->SetName(names[i].c_str());
+    column->InsertNextValue(values[i].value_or(std::numeric_limits<double>::quiet_NaN()));
+    table->AddColumn(column);
+  }
+  return table;
+}
+
 }
 
 struct vtkVesicleStepper::Internals
@@ -133,6 +153,8 @@ struct vtkVesicleStepper::Internals
 
   std::vector<Diagnostics> LastDiagnostics;
   std::int64_t DiagnosedStep = -1;
+  vtkSmartPointer<vtkTable> LastTable;
+  std::string Settings;
 
   /// A scene that isn't the properties'.
   bool HasScene() const
@@ -323,6 +345,38 @@ vtkIdType vtkVesicleStepper::GetNumberOfSteps()
 bool vtkVesicleStepper::GetFinished()
 {
   return this->Internal->Path && this->Internal->Path->finished();
+}
+
+double vtkVesicleStepper::GetNextOutputTime()
+{
+  const State* state = this->GetState();
+  return state ? this->Internal->Sim->schedule().next(*state).value_or(VTK_DOUBLE_MAX)
+               : VTK_DOUBLE_MAX;
+}
+
+vtkTable* vtkVesicleStepper::GetDiagnosticsTable()
+{
+  this->Internal->LastTable = this->GetState() ? table_of(this->Internal->Diagnose()) : nullptr;
+  return this->Internal->LastTable;
+}
+
+void vtkVesicleStepper::CopyState(vtkPolyData* output)
+{
+  const State* state = this->GetState();
+  if (!state)
+  {
+    vtkErrorMacro(<< "there is no state before the first update");
+    return;
+  }
+  const Moment moment{ state->time, state, nullptr };
+  this->Guarded([&] { this->Internal->Deliver(moment, nullptr, output); });
+}
+
+const char* vtkVesicleStepper::GetSettings()
+{
+  auto& internal = *this->Internal;
+  internal.Settings = internal.SceneTime > 0 ? vesicle::write_scene(internal.CurrentScene) : "";
+  return internal.Settings.c_str();
 }
 
 void vtkVesicleStepper::SetScene(const Scene& scene)

@@ -55,6 +55,8 @@
 #include "vtkCommand.h" // for the event
 #include "vtkVesicleSceneAlgorithm.h"
 
+class vtkTable;
+
 #ifndef __VTK_WRAP__
 #include <memory> // for the internals
 #include <vector> // for the diagnostics
@@ -172,6 +174,31 @@ public:
   vtkIdType GetNumberOfSteps();
   bool GetFinished();
   ///@}
+
+  /**
+   * The output time that comes after the last accepted state, or the end; VTK_DOUBLE_MAX where there is
+   * none, or no state.
+   */
+  double GetNextOutputTime();
+
+  /**
+   * Of the last accepted state: a column of doubles a number, by the names of the table that
+   * `vesicle run` writes, in the unit of the scene; NaN where a number is undefined. A new table each
+   * time; nullptr before the first update. Observers of StepAcceptedEvent get that of the step.
+   */
+  vtkTable* GetDiagnosticsTable();
+
+  /**
+   * Makes `output` the last accepted state, as the output is at its time but for arrays of the start
+   * mesh. For observers, to whom the output is still that of the update before. Reports an error where
+   * there is no state.
+   */
+  void CopyState(vtkPolyData* output);
+
+  /**
+   * The scene as TOML with every setting spelled out, empty before the first UpdateInformation.
+   */
+  const char* GetSettings();
 
 #ifndef __VTK_WRAP__
   /// Takes this scene instead of a file's.

@@ -1,20 +1,22 @@
 """Running VTK pipelines: what VTK prints becomes exceptions and warnings, data come out as numpy."""
 
+from __future__ import annotations
+
 import contextlib
 import signal
 import threading
+import types
+import typing
 import warnings
 
 from vtkmodules.numpy_interface import dataset_adapter
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
-
-class Error(RuntimeError):
-    """What an algorithm of the pipeline reported by vtkErrorMacro."""
+from .errors import Error
 
 
-def update(algorithm, time=None):
+def update(algorithm: typing.Any, time: float | None = None) -> typing.Any:
     """Brings an algorithm, and what is before it in the pipeline, up to date.
 
     time: the time asked for; None: whatever the pipeline has.
@@ -36,7 +38,7 @@ def update(algorithm, time=None):
     return dataset_adapter.WrapDataObject(copy)
 
 
-def times(algorithm):
+def times(algorithm: typing.Any) -> tuple[float, ...]:
     """The times that an algorithm offers (TIME_STEPS), a tuple; empty where it offers none."""
     with Messages(algorithm):
         algorithm.UpdateInformation()
@@ -49,12 +51,12 @@ class Messages:
     warnings.warn (RuntimeWarning), and the first error, if there was one, is raised. The algorithm then
     counts as modified: VTK wouldn't ask it for its information, and so for the error, again."""
 
-    def __init__(self, algorithm=None):
+    def __init__(self, algorithm: typing.Any = None) -> None:
         self._algorithm = algorithm
 
-    def __enter__(self):
-        self._errors = []
-        self._warnings = []
+    def __enter__(self) -> Messages:
+        self._errors: list[str] = []
+        self._warnings: list[str] = []
         self._before = vtkOutputWindow.GetInstance()
         self._verbosity = vtkLogger.GetCurrentVerbosityCutoff()
         window = vtkOutputWindow()
@@ -65,7 +67,8 @@ class Messages:
         vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)  # it prints errors a second time
         return self
 
-    def __exit__(self, kind, value, traceback):
+    def __exit__(self, kind: type[BaseException] | None, value: BaseException | None,
+                 traceback: types.TracebackType | None) -> None:
         vtkOutputWindow.SetInstance(self._before)
         vtkLogger.SetStderrVerbosity(self._verbosity)
         for text in self._warnings:
@@ -77,7 +80,7 @@ class Messages:
 
 
 @contextlib.contextmanager
-def _interruptible(algorithm):
+def _interruptible(algorithm: typing.Any) -> typing.Iterator[None]:
     """Python handles signals only between its own instructions, and an exception in an observer would
     end the process: so observers let the signal in, and its handler aborts the pipeline."""
     in_charge = (threading.current_thread() is threading.main_thread() and
@@ -90,7 +93,7 @@ def _interruptible(algorithm):
                  for member in pipeline]
     interrupted = False
 
-    def interrupt(number, frame):
+    def interrupt(number: int, frame: types.FrameType | None) -> None:
         nonlocal interrupted
         interrupted = True
         for member in pipeline:
@@ -109,7 +112,7 @@ def _interruptible(algorithm):
         raise KeyboardInterrupt
 
 
-def _pipeline(algorithm):
+def _pipeline(algorithm: typing.Any) -> list[typing.Any]:
     """The algorithm and all before it."""
     found = [algorithm]
     for member in found:
@@ -121,15 +124,15 @@ def _pipeline(algorithm):
     return found
 
 
-def _collector(texts):
-    def collect(window, event, text):
+def _collector(texts: list[str]) -> typing.Any:
+    def collect(window: typing.Any, event: str, text: str) -> None:
         texts.append(_what_happened(text))
 
-    collect.CallDataType = "string0"
+    collect.CallDataType = "string0"  # type: ignore[attr-defined]
     return collect
 
 
-def _what_happened(text):
+def _what_happened(text: str) -> str:
     """'ERROR: In file, line 12\\nvtkClass (0x55…): what happened\\n\\n' without what only a debugger
     needs."""
     return text.split("): ", 1)[-1].strip()

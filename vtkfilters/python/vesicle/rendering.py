@@ -5,7 +5,10 @@ memory (libOSMesa, or else libEGL; the environment variable VESICLE_RENDER_BACKE
 tries that one alone). Import it before the first window is made.
 """
 
+from __future__ import annotations
+
 import os
+import typing
 
 import vtkmodules.vtkInteractionStyle
 import vtkmodules.vtkRenderingContextOpenGL2
@@ -18,6 +21,8 @@ from vtkmodules.vtkRenderingCore import (vtkActor, vtkColorTransferFunction, vtk
                                          vtkTextActor, vtkWindowToImageFilter)
 
 from .VesicleOffscreen import *
+from .errors import InputError
+from .meshes import polydata_of
 from .pipeline import Messages
 
 with Messages():
@@ -33,7 +38,8 @@ class View:
     Renderer and window are VTK's own, for whatever else should be changed.
     """
 
-    def __init__(self, color="Mean_Curvature", size=(800, 600), range=None):
+    def __init__(self, color: str = "Mean_Curvature", size: tuple[int, int] = (800, 600),
+                 range: tuple[float, float] | None = None) -> None:
         self.color = color
         self.range = range
         self.mapper = vtkPolyDataMapper()
@@ -71,14 +77,14 @@ class View:
         self.interactor.SetRenderWindow(self.window)
         self.on_screen = not self.window.GetClassName().startswith("vtkVesicle")
 
-    def show(self, surface, text=""):
-        """Draws a vtkPolyData, wrapped as `update` gives it or not, with a line of text."""
-        surface = getattr(surface, "VTKObject", surface)
+    def show(self, surface: typing.Any, text: str = "") -> None:
+        """Draws a vtkPolyData, as it is, wrapped as `update` gives it, or a Frame, with a line of text."""
+        surface = polydata_of(surface)
         array = surface.GetPointData().GetArray(self.color)
         if array is None:
             data = surface.GetPointData()
             names = [data.GetArrayName(i) for i in range(data.GetNumberOfArrays())]
-            raise ValueError(f"the surface has no point array {self.color!r}; there are: "
+            raise InputError(f"the surface has no point array {self.color!r}; there are: "
                              f"{', '.join(names) or 'none'}")
         first = self.mapper.GetInput() is None
         self.mapper.SetInputData(surface)
@@ -94,7 +100,7 @@ class View:
         if self.on_screen:
             self.interactor.ProcessEvents()
 
-    def save(self, file):
+    def save(self, file: str | os.PathLike[str]) -> None:
         """Writes what is shown as a .png file."""
         grab = vtkWindowToImageFilter()
         grab.SetInput(self.window)
@@ -106,20 +112,20 @@ class View:
         with Messages():
             writer.Write()
 
-    def wait(self):
+    def wait(self) -> None:
         """Leaves the window to the mouse until it is closed; returns at once where there is no screen."""
         if self.on_screen:
             self.interactor.Start()
 
 
-def _cool_to_warm():
+def _cool_to_warm() -> vtkColorTransferFunction:
     colors = vtkColorTransferFunction()
     colors.SetColorSpaceToDiverging()
     colors.SetVectorModeToMagnitude()
     return colors
 
 
-def _stretch(colors, low, high):
+def _stretch(colors: vtkColorTransferFunction, low: float, high: float) -> None:
     colors.RemoveAllPoints()
     colors.AddRGBPoint(low, 0.23, 0.30, 0.75)
     colors.AddRGBPoint(high if high > low else low + 1, 0.71, 0.02, 0.15)
