@@ -217,6 +217,20 @@ class Kernels(unittest.TestCase):
             self.assertEqual(blas._kernel(words), kernel)
 
 
+class Tables(unittest.TestCase):
+    def test_are_the_same_when_written_and_read(self):
+        table = vesicle.Table({"a": [1, 0.1, numpy.nan], "b": [1e-300, -2, 1 / 3]})
+        with temporary_folder():
+            table.write("table.csv")
+            again = vesicle.read_table("table.csv")
+            with self.assertRaisesRegex(vesicle.Error, "nowhere/table.csv: can't be written"):
+                table.write("nowhere/table.csv")
+        for name in table:
+            numpy.testing.assert_array_equal(again[name], table[name])
+        with self.assertRaisesRegex(vesicle.InputError, "one length, not a 1, b 2"):
+            vesicle.Table({"a": [1], "b": [1, 2]})
+
+
 class Opening(unittest.TestCase):
     def test_folders_without_one_run(self):
         with temporary_folder() as folder:

@@ -13,5 +13,5 @@ if [ "$version" != "$wanted" ]; then
 fi
 options=(-i)
 [ "${1:-}" = --check ] && options=(--dry-run --Werror)
-find apps render solver tests vtkfilters \( -name '*.h' -o -name '*.cpp' -o -name '*.cxx' \) -print0 |
+find apps examples render solver tests vtkfilters \( -name '*.h' -o -name '*.cpp' -o -name '*.cxx' \) -print0 |
   xargs -0 clang-format "${options[@]}"
