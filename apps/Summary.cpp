@@ -1,18 +1,14 @@
 #include "apps/Summary.h"
 
+#include "apps/BuildFacts.h"
 #include "apps/JsonText.h"
 
-#include "solver/linear/Blas.h"
 #include "solver/files/FileBytes.h"
 #include "solver/scene/SceneFile.h"
 
-#include "vtkVersion.h"
-
-#include <H5public.h>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/version.h>
 
 #include <cmath>
 
@@ -25,12 +21,12 @@ using Json = nlohmann::ordered_json;
 
 Json versions()
 {
-  return { { "vesicle", VESICLE_VERSION }, { "vtk", vtkVersion::GetVTKVersion() },
-    { "eigen",
-      fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION) },
-    { "hdf5", fmt::format("{}.{}.{}", H5_VERS_MAJOR, H5_VERS_MINOR, H5_VERS_RELEASE) },
-    { "tbb", TBB_runtime_version() }, { "compiler", __VERSION__ },
-    { "blas_kernel", blas_kernel() } };
+  Json result = Json::object();
+  for (const auto& [name, value] : build_facts())
+  {
+    result[name] = value;
+  }
+  return result;
 }
 
 Json number_or_null(const std::optional<double>& value)

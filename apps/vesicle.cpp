@@ -1,5 +1,6 @@
 // The command `vesicle`.
 
+#include "apps/BuildFacts.h"
 #include "apps/Commands.h"
 #include "apps/HelpPages.h"
 #include "apps/StandardOutput.h"
@@ -109,7 +110,7 @@ int run_command_line(int argc, char** argv)
   CLI::App app{ "Lipid vesicles in viscous flow by the boundary element method." };
   app.name("vesicle");
   app.footer("Example: vesicle run pear.toml -o pear");
-  app.set_version_flag("--version", "vesicle " VESICLE_VERSION);
+  app.set_version_flag("--version", version_text, "Print the version and what it was built with");
   app.require_subcommand(1);
   Action action;
   add_new_command(app, action);

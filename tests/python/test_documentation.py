@@ -28,7 +28,7 @@ class Documentation(unittest.TestCase):
                         self.assertGreater((folder / name).stat().st_size, 1000, name)
 
     def test_links_lead_somewhere(self):
-        for page in (source_folder / "README.md", *sorted((source_folder / "docs").glob("*.md"))):
+        for page in (*sorted(source_folder.glob("*.md")), *sorted(source_folder.glob("[de]*/*.md"))):
             for link in re.findall(r"\]\(([^)#:]+)\)", page.read_text()):
                 with self.subTest(page=page.name, link=link):
                     self.assertTrue((page.parent / link).exists())
