@@ -12,6 +12,7 @@
 #include "solver/Joined.h"
 #include "solver/files/FileBytes.h"
 #include "solver/scene/SceneFile.h"
+#include "solver/state/RunRows.h"
 
 #include <fmt/format.h>
 

@@ -17,6 +17,7 @@
 #include "solver/files/FileBytes.h"
 #include "solver/scene/SceneFile.h"
 #include "solver/simulation/Trajectory.h"
+#include "solver/state/RunRows.h"
 #include "vtkfilters/Filters/MeshConversion.h"
 #include "vtkfilters/Filters/VtkMessages.h"
 

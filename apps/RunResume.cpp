@@ -5,6 +5,7 @@
 #include "solver/Errors.h"
 #include "solver/simulation/Simulation.h"
 #include "solver/scene/SceneFile.h"
+#include "solver/state/RunRows.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "apps/RunTable.h"
 
 #include "solver/Errors.h"
-#include "solver/dynamics/Diagnostics.h"
 #include "solver/files/FileBytes.h"
+#include "solver/state/RunRows.h"
 #include "solver/state/Table.h"
 
 #include <fmt/format.h>
@@ -56,32 +56,6 @@ RunTable RunTable::of_vesicle(std::size_t vesicle) const
     if (numbers[i].value_or(0) == static_cast<double>(vesicle))
       own.rows.push_back(rows[i]);
   return own;
-}
-
-std::vector<std::string> run_columns(std::size_t vesicles)
-{
-  std::vector<std::string> columns;
-  if (vesicles > 1)
-    columns.emplace_back("vesicle");
-  columns.insert(columns.end(), Diagnostics::names().begin(), Diagnostics::names().end());
-  if (vesicles > 1)
-    columns.emplace_back("gap");
-  return columns;
-}
-
-Row run_row(const std::vector<Diagnostics>& vesicles)
-{
-  Row row;
-  for (std::size_t v = 0; v < vesicles.size(); ++v)
-  {
-    if (vesicles.size() > 1)
-      row.emplace_back(static_cast<double>(v));
-    const auto values = vesicles[v].values();
-    row.insert(row.end(), values.begin(), values.end());
-    if (vesicles.size() > 1)
-      row.push_back(vesicles[v].gap);
-  }
-  return row;
 }
 
 RunTable run_table(std::size_t vesicles, const std::vector<Row>& steps)

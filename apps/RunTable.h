@@ -10,8 +10,6 @@
 namespace vesicle
 {
 
-struct Diagnostics;
-
 struct RunTable
 {
   std::vector<std::string> columns;
@@ -25,12 +23,7 @@ struct RunTable
   RunTable of_vesicle(std::size_t vesicle) const;
 };
 
-/// The columns of a run's table: those of Diagnostics; where there are several, `vesicle` before and `gap`
-/// behind them.
-std::vector<std::string> run_columns(std::size_t vesicles);
-/// What a step adds to it: the rows of all vesicles, one after the other.
-Row run_row(const std::vector<Diagnostics>& vesicles);
-/// Of such rows.
+/// Of the rows of steps (run_row).
 RunTable run_table(std::size_t vesicles, const std::vector<Row>& steps);
 
 /// Reads a table that CsvFile wrote. Throws IoError when it can't be read, InputError naming the

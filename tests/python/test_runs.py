@@ -94,6 +94,17 @@ class Running(unittest.TestCase):
         numpy.testing.assert_array_equal(speed, kept[1])
         self.assertEqual((points.dtype, points.flags["C_CONTIGUOUS"], type(points)), (float, True, numpy.ndarray))
 
+    def test_of_several_vesicles(self):
+        with temporary_folder():
+            run = vesicle.run(source_folder / "data/scenes/pair.toml", output="pair",
+                              overrides={"vesicle.triangles": 80, "time.end": 0.1})
+            self.assertEqual(set(run.diagnostics["vesicle"]), {0, 1})
+            self.assertEqual(run.diagnostics.rows, 2 * len(set(run.diagnostics["step"])))
+            self.assertEqual(set(run[-1]["Vesicle_Id"]), {0, 1})
+            summary = json.loads(pathlib.Path("pair/summary.json").read_text())
+            self.assertEqual([final["triangles"] for final in summary["final"]], [80, 80])
+            self.assertLess(summary["final"][0]["centroid_x"], summary["final"][1]["centroid_x"])
+
     def test_until_it_is_steady(self):
         run = vesicle.run(source_folder / "data/scenes/relax-prolate.toml", overrides={
             "vesicle.triangles": 80, "time.end": "steady", "vesicle.reduced_volume": 0.99})

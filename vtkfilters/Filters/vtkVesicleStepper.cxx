@@ -12,6 +12,7 @@
 #include "solver/simulation/SystemOfScene.h"
 #include "solver/scene/SceneFile.h"
 #include "solver/simulation/Trajectory.h"
+#include "solver/state/RunRows.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -114,16 +115,19 @@ bool lies_in_order(vtkPolyData* surface)
   return true;
 }
 
-vtkSmartPointer<vtkTable> table_of(const Diagnostics& diagnostics)
+vtkSmartPointer<vtkTable> table_of(const std::vector<Diagnostics>& vesicles)
 {
   auto table = vtkSmartPointer<vtkTable>::New();
-  const auto& names = Diagnostics::names();
-  const auto values = diagnostics.values();
+  const auto names = vesicle::run_columns(vesicles.size());
+  const auto row = vesicle::run_row(vesicles);
   for (std::size_t i = 0; i < names.size(); ++i)
   {
     vtkNew<vtkDoubleArray> column;
     column->SetName(names[i].c_str());
-    column->InsertNextValue(values[i].value_or(std::numeric_limits<double>::quiet_NaN()));
+    for (std::size_t at = i; at < row.size(); at += names.size())
+    {
+      column->InsertNextValue(row[at].value_or(std::numeric_limits<double>::quiet_NaN()));
+    }
     table->AddColumn(column);
   }
   return table;

@@ -232,13 +232,19 @@ class _Folder(_Memory):
 
     def finish(self, outcome: str, message: str, settings: str) -> Run:
         self.writer.SetInputData(None)
-        last = dict(zip(self.names, self.rows[-1]))
+        last = self._last_rows()
         summary = {"name": self.name, "outcome": outcome, **({"message": message} if message else {}),
-                   "steps": int(last["step"]), "time": last["time"],
-                   "final": {name: value if value == value else None for name, value in last.items()},
+                   "steps": int(last[0]["step"]), "time": last[0]["time"],
+                   "final": last[0] if "vesicle" not in self.names else last,
                    "versions": {"vesicle": __version__}, "settings": settings}
         self._write(self.folder / "summary.json", json.dumps(summary, indent=2) + "\n", "w")
         return open_run(self.folder)
+
+    def _last_rows(self) -> list[dict[str, float | None]]:
+        """Of the last step, a row a vesicle; None where a value is undefined."""
+        rows = [dict(zip(self.names, row)) for row in self.rows]
+        return [{name: value if value == value else None for name, value in row.items() if name != "vesicle"}
+                for row in rows if row["step"] == rows[-1]["step"]]
 
     def _write(self, file: pathlib.Path, text: str, mode: str) -> None:
         with _naming(file):

@@ -1,0 +1,19 @@
+#pragma once
+// What a run says at each step, as rows of a table.
+
+#include "solver/dynamics/Diagnostics.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vesicle
+{
+
+/// The columns of a run's table: those of Diagnostics; where there are several vesicles, `vesicle` before and
+/// `gap` behind them.
+std::vector<std::string> run_columns(std::size_t vesicles);
+/// What a step adds to it: the rows of all vesicles, one after the other.
+std::vector<std::optional<double>> run_row(const std::vector<Diagnostics>& vesicles);
+
+}
