@@ -72,7 +72,7 @@ History sheared(const Report& report, double reduced_volume, double viscosity_ra
 }
 
 // Spectral.
-void tank_treading(Report& report)
+void steady_tank_treading(Report& report)
 {
   const History run = sheared(report, 0.95, 5, 25);
   const Diagnostics& d = run.end();
@@ -103,7 +103,7 @@ void slow_tank_treading(Report& report)
 }
 
 // The steady shape is rigid, whatever is inside.
-void settling(Report& report)
+void settling_between(Report& report)
 {
   for (const double ratio : { 0.2, 5. })
   {
@@ -129,11 +129,11 @@ std::vector<Case> two_fluid_cases()
     { "two-fluids/prolate", "A prolate vesicle's first speed, at viscosity ratios .2 to 50",
       Case::Set::fast, prolate },
     { "two-fluids/tank-treading", "Steady tank-treading at a viscosity ratio of 5", Case::Set::fast,
-      tank_treading },
+      steady_tank_treading },
     { "two-fluids/slow", "The same at v = .9, near the end of steady tank-treading",
       Case::Set::full, slow_tank_treading },
     { "two-fluids/settling", "A pear's speed doesn't depend on the viscosity inside",
-      Case::Set::full, settling },
+      Case::Set::full, settling_between },
   };
 }
 
