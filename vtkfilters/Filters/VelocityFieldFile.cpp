@@ -6,6 +6,7 @@
 
 #include "solver/Errors.h"
 #include "solver/Joined.h"
+#include "solver/files/FileBytes.h"
 #include "solver/flow/FieldFlow.h"
 
 #include "vtkCellData.h"
@@ -53,7 +54,7 @@ vtkSmartPointer<vtkDataSet> read_data_set(const path& file)
   static const std::array<std::string, 5> endings{ ".vti", ".vtr", ".vts", ".vtu", ".vtk" };
   if (std::find(endings.begin(), endings.end(), file.extension()) == endings.end())
     fail(file, "is no file of a velocity field", "take .vti .vtr .vts .vtu .vtk .pvd or .series");
-  if (!std::filesystem::is_regular_file(file))
+  if (!is_there(file))
     fail(file, "can't be read", "give the path of a velocity field, from the scene's folder");
   const VtkMessages messages;
   vtkSmartPointer<vtkDataSet> data;
