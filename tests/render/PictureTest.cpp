@@ -8,6 +8,7 @@
 
 #include "vtkAppendPolyData.h"
 #include "vtkPNGReader.h"
+#include "vtkReverseSense.h"
 
 #include <gtest/gtest.h>
 #include <limits>
@@ -308,7 +309,10 @@ TEST(Picture, TheInnerSideOfABodyIsNeverSeen)
       i, 0.01 * speck->GetPoint(i)[0], 0.01 * speck->GetPoint(i)[1], 0.01 * speck->GetPoint(i)[2]);
   }
   with_speck->AddInputData(surface);
-  with_speck->AddInputData(speck);
+  vtkNew<vtkReverseSense> inside_out; // so that nothing is known of what is seen
+  inside_out->SetInputData(speck);
+  inside_out->Update();
+  with_speck->AddInputData(inside_out->GetOutput());
   with_speck->Update();
   ASSERT_TRUE(hides_its_inside(surface));
   ASSERT_FALSE(hides_its_inside(with_speck->GetOutput()));

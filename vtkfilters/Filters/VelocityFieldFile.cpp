@@ -54,7 +54,7 @@ vtkSmartPointer<vtkDataSet> read_data_set(const path& file)
   static const std::array<std::string, 5> endings{ ".vti", ".vtr", ".vts", ".vtu", ".vtk" };
   if (std::find(endings.begin(), endings.end(), file.extension()) == endings.end())
     fail(file, "is no file of a velocity field", "take .vti .vtr .vts .vtu .vtk .pvd or .series");
-  if (!is_there(file))
+  if (!is_file(file))
     fail(file, "can't be read", "give the path of a velocity field, from the scene's folder");
   const VtkMessages messages;
   vtkSmartPointer<vtkDataSet> data;
