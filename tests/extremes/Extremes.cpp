@@ -143,11 +143,15 @@ void add_fluids_and_sheets(std::vector<Cell>& cells, int triangles)
       1 });
 }
 
-/// The mesh of a scene with another point for each.
-template<class Map>
-TriangleMesh moved(const std::string& scene, Map map)
+TriangleMesh mesh_of(const std::string& scene)
 {
-  TriangleMesh mesh = make_start_mesh(parse_scene(scene, "cell"));
+  return make_start_mesh(parse_scene(scene, "cell"));
+}
+
+/// The mesh with another point for each.
+template<class Map>
+TriangleMesh moved(TriangleMesh mesh, Map map)
+{
   for (Eigen::Index i = 0; i < mesh.points.rows(); ++i)
     mesh.points.row(i) = map(i, Vector3(mesh.points.row(i).transpose())).transpose();
   return mesh;
@@ -155,7 +159,7 @@ TriangleMesh moved(const std::string& scene, Map map)
 
 /// A sphere whose points are drawn to its equator, all triangles with corners on the sphere, until the
 /// smallest angle is that.
-TriangleMesh drawn_to_the_equator(const std::string& sphere, double smallest_angle)
+TriangleMesh drawn_to_the_equator(const TriangleMesh& sphere, double smallest_angle)
 {
   const auto drawn = [&](double factor)
   {
@@ -184,14 +188,14 @@ void add_meshes(std::vector<Cell>& cells, int triangles)
         std::sin(12.9898 * i + 1), std::sin(78.233 * i + 2), std::sin(37.719 * i + 3));
       return Vector3(x + share * edge * random.normalized());
     };
-    cells.push_back(
-      { "mesh", fmt::format("jittered by {:g}", share), start, 1, moved(start, jitter) });
+    cells.push_back({ "mesh", fmt::format("jittered by {:g}", share), start, 1,
+      [=] { return moved(mesh_of(start), jitter); } });
   }
   const std::string sphere =
     fmt::format("[vesicle]\nshape = \"sphere\"\ntriangles = {}\n", triangles) + drive;
   for (const double angle : { 10., 1. })
     cells.push_back({ "mesh", fmt::format("angles of {:g}°", angle), sphere, 1,
-      drawn_to_the_equator(sphere, angle) });
+      [=] { return drawn_to_the_equator(mesh_of(sphere), angle); } });
 }
 
 /// Sums what a membrane's energy gains and loses from one state to the next.
@@ -265,7 +269,7 @@ CellResult simulated(const Cell& cell)
 {
   CellResult result{ CellResult::End::runs, "" };
   const Scene scene = parse_scene(cell.scene, "cell");
-  Simulation simulation(scene, cell.mesh ? *cell.mesh : make_start_mesh(scene));
+  Simulation simulation(scene, cell.mesh ? cell.mesh() : make_start_mesh(scene));
   const bool has_energy = scene.membrane.bending_rigidity || scene.membrane.shear_modulus;
   EnergyBooks books;
   State state;

@@ -3,6 +3,7 @@
 
 #include "solver/mesh/TriangleMesh.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,7 +18,8 @@ struct Cell
   std::string scene; ///< TOML
   double strain =
     1; ///< how far the fluid is sheared, or how many of its own times the membrane has
-  std::optional<TriangleMesh> mesh = std::nullopt; ///< to start from; empty: what the scene says
+  std::function<TriangleMesh()>
+    mesh = {}; ///< makes what it starts from; empty: what the scene says
 };
 
 struct CellResult
