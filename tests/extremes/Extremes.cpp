@@ -6,7 +6,6 @@
 #include "solver/scene/SceneFile.h"
 #include "solver/simulation/Simulation.h"
 #include "solver/simulation/StartMesh.h"
-#include "solver/mesh/shapes/SampleMeshes.h"
 
 #include <fmt/format.h>
 
