@@ -45,7 +45,7 @@ namespace
 constexpr const char* array_names[] = { "Membrane_Force", "Gravity_Force", "Tension",
   "Tension_Force", "vtkGhostType", "Normals", "Mean_Curvature", "Viscosity", "Surface_Basis",
   "Flow_Kind", "Flow_Rate", "Flow_Velocity", "Flow_Radius", "Flow_Center", "Flow_Axis", "RGB", "x",
-  "" };
+  "", "Vesicle_Id" };
 
 constexpr const char* computed_names[] = { "Gauss_Curvature", "Laplacian_Mean_Curvature",
   "Bending_Force", "Mean_Curvature", "Normals", "Velocity", "Fit_Residual", "Maximum_Curvature",

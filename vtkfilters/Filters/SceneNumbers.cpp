@@ -164,10 +164,19 @@ std::vector<std::vector<int>> vesicle_points(vtkPolyData* surface)
     }
     return vesicles;
   }
+  if (ids->GetNumberOfComponents() != 1 || ids->GetNumberOfTuples() != mesh.points.rows())
+  {
+    throw InputError("the surface's array Vesicle_Id isn't one number a point");
+  }
   std::map<double, std::vector<int>> by_id;
   for (int i = 0; i < mesh.points.rows(); ++i)
   {
-    by_id[ids->GetComponent(i, 0)].push_back(i);
+    const double id = ids->GetComponent(i, 0);
+    if (!std::isfinite(id))
+    {
+      throw InputError(fmt::format("Vesicle_Id of point {} is not finite", i));
+    }
+    by_id[id].push_back(i);
   }
   for (int t = 0; t < mesh.triangles.rows(); ++t)
   {

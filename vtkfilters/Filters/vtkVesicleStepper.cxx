@@ -524,13 +524,18 @@ void vtkVesicleStepper::Prepare(vtkPolyData* start)
   {
     return;
   }
-  if (start && !internal.HasScene())
+  vtkSmartPointer<vtkPolyData> membrane; // whose indices have been looked at
+  if (start)
+  {
+    membrane = vesicle::membrane_of(start);
+  }
+  if (membrane && !internal.HasScene())
   {
     internal.CurrentScene.companions.assign(
-      std::max<std::size_t>(vesicle::vesicle_points(start).size(), 1) - 1,
+      std::max<std::size_t>(vesicle::vesicle_points(membrane).size(), 1) - 1,
       internal.CurrentScene.companion());
   }
-  internal.StartAnew(start ? vesicle::membrane_of(start).Get() : nullptr, this->CacheSize);
+  internal.StartAnew(membrane, this->CacheSize);
   internal.SimulationTime = needed;
   if (!internal.Sim->notes().empty())
   {

@@ -234,7 +234,7 @@ class _Folder(_Memory):
         self.writer.SetInputData(None)
         last = self._last_rows()
         summary = {"name": self.name, "outcome": outcome, **({"message": message} if message else {}),
-                   "steps": int(last[0]["step"]), "time": last[0]["time"],
+                   "steps": int(self._last("step")), "time": self._last("time"),
                    "final": last[0] if "vesicle" not in self.names else last,
                    "versions": {"vesicle": __version__}, "settings": settings}
         self._write(self.folder / "summary.json", json.dumps(summary, indent=2) + "\n", "w")
@@ -242,9 +242,12 @@ class _Folder(_Memory):
 
     def _last_rows(self) -> list[dict[str, float | None]]:
         """Of the last step, a row a vesicle; None where a value is undefined."""
-        rows = [dict(zip(self.names, row)) for row in self.rows]
-        return [{name: value if value == value else None for name, value in row.items() if name != "vesicle"}
-                for row in rows if row["step"] == rows[-1]["step"]]
+        step = self.names.index("step")
+        return [{name: value if value == value else None for name, value in zip(self.names, row)
+                 if name != "vesicle"} for row in self.rows if row[step] == self._last("step")]
+
+    def _last(self, name: str) -> float:
+        return self.rows[-1][self.names.index(name)]
 
     def _write(self, file: pathlib.Path, text: str, mode: str) -> None:
         with _naming(file):
