@@ -17,16 +17,21 @@ Scene scene_of(const std::string& name, const std::vector<std::string>& override
   return parse_scene(data_file(file), "data/" + file, ".", overrides);
 }
 
+static History watched(std::shared_ptr<Simulation> simulation, double latest)
+{
+  Progress progress(!isatty(STDOUT_FILENO), 0, simulation->scene().time.end);
+  return run_to_end(std::move(simulation), latest,
+    [&](const Diagnostics& diagnostics) { progress.step({ diagnostics }); });
+}
+
 History simulate(const Scene& scene)
 {
-  return simulate(scene, make_start_mesh(scene));
+  return watched(std::make_shared<Simulation>(scene, make_start_meshes(scene)), HUGE_VAL);
 }
 
 History simulate(const Scene& scene, const TriangleMesh& start, double latest)
 {
-  Progress progress(!isatty(STDOUT_FILENO), 0, scene.time.end);
-  return run_to_end(std::make_shared<Simulation>(scene, start), latest,
-    [&](const Diagnostics& diagnostics) { progress.step({ diagnostics }); });
+  return watched(std::make_shared<Simulation>(scene, start), latest);
 }
 
 double inclination(const Diagnostics& d)

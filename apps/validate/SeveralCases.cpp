@@ -60,7 +60,7 @@ void inextensible(Report& report)
   {
     const auto both = first_instant(spheres(distance, report.triangles(), true));
     report.add(relative(fmt::format("d = {:g}: U / (2 Bo/9)", distance), 1 / factor,
-      both[0].velocity[2] / (2. / 9), report.full() ? 1e-4 : 1e-3, "rigid spheres"));
+      both[0].velocity[2] / (2. / 9), report.full() ? 3e-5 : 1.2e-4, "rigid spheres"));
   }
 }
 
