@@ -36,6 +36,7 @@ double edge_of(const Surface& surface)
 std::vector<Box> boxes_of(const std::vector<Proximity::Side>& sides)
 {
   std::vector<Box> boxes;
+  boxes.reserve(sides.size());
   for (const Proximity::Side& side : sides)
     boxes.push_back(box_of(*side.surface));
   return boxes;

@@ -111,9 +111,9 @@ void SupernodalCholesky<Scalar>::solve_column(Scalar* column) const
       column[s.rows[i]] = below[i];
   }
   Eigen::Map<Vector>(column, pivots_.size()).array() /= pivots_.array();
-  for (auto last = supernodes.rbegin(); last != supernodes.rend(); ++last)
+  for (std::size_t last = supernodes.size(); last-- > 0;)
   {
-    const Supernode& s = *last;
+    const Supernode& s = supernodes[last];
     const Scalar* panel = panels_.data() + s.offset;
     const int rows = static_cast<int>(s.rows.size());
     for (int i = 0; i < rows; ++i)
