@@ -161,29 +161,23 @@ std::vector<std::string> columns_of(
   return wanted.empty() ? usual_columns() : wanted;
 }
 
-std::size_t vesicles_of(const FoundRun& a, const FoundRun& b)
+/// Of each vesicle; without a table one without rows.
+std::vector<RunTable> tables_of(const FoundRun& run)
 {
-  return a.beside.table && b.beside.table
-    ? std::min(a.beside.table->vesicles(), b.beside.table->vesicles())
-    : 1;
+  return run.beside.table ? run.beside.table->by_vesicle() : std::vector<RunTable>(1);
 }
 
-/// The vesicle's row of that time; empty values where there is none.
-std::vector<std::optional<double>> values_at(const std::optional<RunTable>& of_all,
-  std::size_t vesicle, double time, double tolerance, const std::vector<std::string>& columns)
+/// The row of that time; empty values where there is none.
+std::vector<std::optional<double>> values_at(
+  const RunTable& table, double time, double tolerance, const std::vector<std::string>& columns)
 {
   std::vector<std::optional<double>> values(columns.size());
-  if (!of_all)
-  {
-    return values;
-  }
-  const RunTable own = of_all->of_vesicle(vesicle), *table = &own;
-  const auto times = table->column("time");
+  const auto times = table.column("time");
   const auto row = std::find_if(times.begin(), times.end(),
     [&](const auto& t) { return t && std::abs(*t - time) <= tolerance; });
   for (std::size_t i = 0; i < columns.size() && row != times.end(); ++i)
   {
-    values[i] = table->column(columns[i])[static_cast<std::size_t>(row - times.begin())];
+    values[i] = table.column(columns[i])[static_cast<std::size_t>(row - times.begin())];
   }
   return values;
 }
@@ -256,7 +250,8 @@ RunComparison compare_runs(const path& a, const path& b, const CompareSettings& 
   RunComparison result;
   result.settings = different_settings(first.beside.scene, second.beside.scene);
   const std::vector<std::string> columns = columns_of(first, second, settings.columns);
-  const std::size_t vesicles = vesicles_of(first, second);
+  const std::vector<RunTable> of_first = tables_of(first), of_second = tables_of(second);
+  const std::size_t vesicles = std::min(of_first.size(), of_second.size());
   for (std::size_t v = 0; v < vesicles; ++v)
   {
     for (const std::string& column : columns)
@@ -282,8 +277,8 @@ RunComparison compare_runs(const path& a, const path& b, const CompareSettings& 
       {} };
     for (std::size_t v = 0; v < vesicles; ++v)
     {
-      const auto here = values_at(first.beside.table, v, frame.time, tolerance, columns);
-      const auto there = values_at(second.beside.table, v, frame.time, tolerance, columns);
+      const auto here = values_at(of_first[v], frame.time, tolerance, columns);
+      const auto there = values_at(of_second[v], frame.time, tolerance, columns);
       for (std::size_t i = 0; i < here.size(); ++i)
       {
         moment.values.push_back({ here[i], there[i] });

@@ -8,7 +8,7 @@
 #include "solver/Errors.h"
 #include "solver/Joined.h"
 #include "solver/files/FileBytes.h"
-#include "solver/flow/FieldFlow.h"
+#include "solver/flow/FlowKind.h"
 #include "solver/scene/NearestName.h"
 #include "solver/scene/SceneFile.h"
 
@@ -96,7 +96,7 @@ int write_template(const NewOptions& options)
   {
     warn(options.name + ": this scene starts from a mesh: give yours as vesicle.file");
   }
-  if (scene.flow && &scene.flow->kind() == &FieldFlow::description())
+  if (scene.flow && is_from_file(scene.flow->kind()))
   {
     warn(options.name + ": this scene's flow comes from a file: give yours as flow.file");
   }

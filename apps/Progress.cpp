@@ -68,18 +68,13 @@ void Progress::step(const std::vector<Diagnostics>& vesicles)
     return;
   }
   last_shown_ = now;
-  double area = 0, volume = 0;
-  for (const Diagnostics& vesicle : vesicles)
-  {
-    area = std::abs(vesicle.area_drift) >= std::abs(area) ? vesicle.area_drift : area;
-    volume = std::abs(vesicle.volume_drift) >= std::abs(volume) ? vesicle.volume_drift : volume;
-  }
   const std::string what = vesicles.size() > 1
     ? fmt::format("{} vesicles", vesicles.size())
     : fmt::format("U = {:.4g}, E/8piEB = {:.5f}", length(d.velocity), d.energy_over_8pi);
   overwrite(
     fmt::format("step {}, t = {:.5g}{}, dt = {:.2g}, {}, area drift {:.0e}, volume drift {:.0e}{}",
-      d.step, d.time, end_ ? fmt::format(" of {:.5g}", *end_) : "", d.dt, what, area, volume,
+      d.step, d.time, end_ ? fmt::format(" of {:.5g}", *end_) : "", d.dt, what,
+      largest(vesicles, &Diagnostics::area_drift), largest(vesicles, &Diagnostics::volume_drift),
       remaining(d.time)));
 }
 

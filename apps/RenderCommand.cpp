@@ -243,9 +243,9 @@ void write_page(const RenderOptions& options, const Subject& subject)
   {
     const auto chart = chart_subject(options.movie.chart, subject.run);
     page.table = subject.run.table;
-    if (page.table && page.table->vesicles() > 1)
+    if (page.table)
     {
-      page.table = page.table->of_vesicle(0);
+      page.table = page.table->by_vesicle().front();
     }
     page.chart = chart_columns(chart, *page.table);
   }

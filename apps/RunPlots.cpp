@@ -94,17 +94,6 @@ double largest(const Course& course)
   return value;
 }
 
-std::vector<RunTable> tables_of_vesicles(const RunTable& table)
-{
-  const std::size_t count = table.vesicles();
-  std::vector<RunTable> tables;
-  for (std::size_t v = 0; v < count; ++v)
-  {
-    tables.push_back(count == 1 ? table : table.of_vesicle(v));
-  }
-  return tables;
-}
-
 /// In the legend of a chart of so many lines. More than it has room for are told apart by nobody.
 std::string label_of(const Course& course, std::size_t vesicles, std::size_t lines)
 {
@@ -119,16 +108,15 @@ std::string label_of(const Course& course, std::size_t vesicles, std::size_t lin
 }
 
 /// Without those that are missing, or nothing but rounding beside the others.
-std::vector<Course> courses_of(const Subject& subject, const RunTable& table)
+std::vector<Course> courses_of(const Subject& subject, const std::vector<RunTable>& vesicles)
 {
   std::vector<Course> courses;
   double scale = 0;
-  for (const RunTable& own : tables_of_vesicles(table))
+  for (std::size_t v = 0; v < vesicles.size(); ++v)
   {
-    const std::size_t vesicle = courses.size() / subject.lines.size();
     for (const Line& line : subject.lines)
     {
-      courses.push_back(course_of(own, line, vesicle));
+      courses.push_back(course_of(vesicles[v], line, v));
       scale = std::max(scale, largest(courses.back()));
     }
   }
@@ -143,7 +131,8 @@ std::vector<Course> courses_of(const Subject& subject, const RunTable& table)
 std::optional<ChartSpec> run_chart(const std::string& name, const RunTable& table)
 {
   const Subject& subject = subject_of(name);
-  const auto courses = courses_of(subject, table);
+  const std::vector<RunTable> vesicles = table.by_vesicle();
+  const auto courses = courses_of(subject, vesicles);
   if (courses.empty())
   {
     return std::nullopt;
@@ -152,11 +141,10 @@ std::optional<ChartSpec> run_chart(const std::string& name, const RunTable& tabl
   chart.title = subject.title;
   chart.x_label = "time";
   chart.y_label = subject.y_label;
-  const std::size_t vesicles = table.vesicles();
   for (const Course& course : courses)
   {
     chart.lines.push_back(
-      { label_of(course, vesicles, courses.size()), course.time, course.value });
+      { label_of(course, vesicles.size(), courses.size()), course.time, course.value });
   }
   if (chart.lines.size() == 1 && !chart.lines[0].label.empty())
   {
@@ -169,7 +157,7 @@ std::optional<ChartSpec> run_chart(const std::string& name, const RunTable& tabl
 std::vector<std::string> chart_columns(const std::string& name, const RunTable& table)
 {
   std::vector<std::string> columns;
-  for (const Course& course : courses_of(subject_of(name), table))
+  for (const Course& course : courses_of(subject_of(name), table.by_vesicle()))
   {
     if (std::find(columns.begin(), columns.end(), course.line.column) == columns.end())
     {

@@ -41,16 +41,17 @@ void take_last_row(const RunTable& table, RunReport& report)
   {
     return;
   }
-  const std::size_t vesicles = table.vesicles();
-  report.others.resize(vesicles - 1);
-  for (std::size_t v = 0; v < vesicles; ++v)
+  std::vector<RunReport::LastRow> rows;
+  for (const RunTable& own : table.by_vesicle())
   {
-    const RunTable own = vesicles > 1 ? table.of_vesicle(v) : table;
-    for (std::size_t i = 0; i < table.columns.size() && !own.rows.empty(); ++i)
+    RunReport::LastRow& row = rows.emplace_back();
+    for (std::size_t i = 0; i < own.columns.size(); ++i)
     {
-      (v == 0 ? report.last : report.others[v - 1])[table.columns[i]] = own.rows.back()[i];
+      row[own.columns[i]] = own.rows.back()[i];
     }
   }
+  report.last = rows.front();
+  report.others.assign(rows.begin() + 1, rows.end());
   report.time = report.last["time"].value_or(0);
 }
 

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 namespace vesicle
 {
@@ -40,22 +41,17 @@ std::vector<std::optional<double>> RunTable::column(const std::string& name) con
   return values;
 }
 
-std::size_t RunTable::vesicles() const
-{
-  double largest = 0;
-  for (const auto& number : column("vesicle"))
-    largest = std::max(largest, number.value_or(0));
-  return static_cast<std::size_t>(largest) + 1;
-}
-
-RunTable RunTable::of_vesicle(std::size_t vesicle) const
+std::vector<RunTable> RunTable::by_vesicle() const
 {
   const auto numbers = column("vesicle");
-  RunTable own{ columns, {} };
+  std::map<double, RunTable> of;
   for (std::size_t i = 0; i < rows.size(); ++i)
-    if (numbers[i].value_or(0) == static_cast<double>(vesicle))
-      own.rows.push_back(rows[i]);
-  return own;
+    of.try_emplace(numbers[i].value_or(0), RunTable{ columns, {} })
+      .first->second.rows.push_back(rows[i]);
+  std::vector<RunTable> tables;
+  for (auto& [number, table] : of)
+    tables.push_back(std::move(table));
+  return tables.empty() ? std::vector{ *this } : tables;
 }
 
 RunTable run_table(std::size_t vesicles, const std::vector<Row>& steps)

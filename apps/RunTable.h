@@ -17,10 +17,8 @@ struct RunTable
 
   /// The column's values; all missing where there is no such column.
   std::vector<std::optional<double>> column(const std::string& name) const;
-  /// How many vesicles have rows; a table without the column `vesicle` is of one.
-  std::size_t vesicles() const;
-  /// The rows of one of them, from 0.
-  RunTable of_vesicle(std::size_t vesicle) const;
+  /// The rows of each vesicle, by their numbers; a table without the column `vesicle` is of one.
+  std::vector<RunTable> by_vesicle() const;
 };
 
 /// Of the rows of steps (run_row).

@@ -61,16 +61,6 @@ Json final_of(const std::vector<Diagnostics>& last)
   return all;
 }
 
-/// Of the vesicles' values that which is largest in magnitude.
-double largest(const std::vector<Diagnostics>& vesicles, double Diagnostics::*member)
-{
-  double value = 0;
-  for (const Diagnostics& vesicle : vesicles)
-    if (std::abs(vesicle.*member) >= std::abs(value))
-      value = vesicle.*member;
-  return value;
-}
-
 Json numbers(const DimensionlessNumbers& n)
 {
   return { { "r0", n.radius }, { "time_unit", n.time_unit }, { "bond", number_or_null(n.bond) },

@@ -1,6 +1,6 @@
 #include "render/SceneGuides.h"
 
-#include "solver/flow/FieldFlow.h"
+#include "solver/flow/FlowKind.h"
 
 #include "vtkMath.h"
 
@@ -92,7 +92,7 @@ std::vector<Guide> scene_guides(const Scene& scene, const View& view)
     guides.push_back(gravity_guide(*scene.gravity));
   }
   // A field isn't known where a file of it is all that there is, nor everywhere.
-  if (scene.flow && &scene.flow->kind() != &FieldFlow::description())
+  if (scene.flow && !is_from_file(scene.flow->kind()))
   {
     guides.push_back(flow_guide(*scene.flow, view));
   }

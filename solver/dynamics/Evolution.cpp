@@ -52,7 +52,7 @@ void require_finite(const State& state)
 Evolution::Evolution(System system, const StepperSettings& settings, const OutputSchedule& schedule,
   double time_unit, std::optional<double> fixed_step)
   : stepper_(std::move(system), with_time_unit(settings, time_unit)), schedule_(schedule),
-    time_unit_(time_unit), fixed_step_(fixed_step)
+    fixed_step_(fixed_step)
 {
 }
 
@@ -71,7 +71,7 @@ void Evolution::plan_next_step(State& state)
   if (!fixed_step_ && solved)
     dt = std::min(dt, stepper_.longest_step(state));
   if (const auto target = schedule_.next_stop(state); target && *target > state.time)
-    dt = step_towards(dt, state.time / time_unit_, *target / time_unit_);
+    dt = step_towards(dt, state.time / time_unit(), *target / time_unit());
   state.controller.next_step = dt;
 }
 
@@ -79,12 +79,12 @@ void Evolution::plan_next_step(State& state)
 bool Evolution::overshoots(const State& state) const
 {
   const auto target = schedule_.next_stop(state);
-  return target && state.controller.next_step > (*target - state.time) / time_unit_ * (1 + 1e-9);
+  return target && state.controller.next_step > (*target - state.time) / time_unit() * (1 + 1e-9);
 }
 
 bool Evolution::steady(const State& state)
 {
-  if (system().flow && !system().flow->settled(state.time / time_unit_))
+  if (system().flow && !system().flow->settled(state.time / time_unit()))
     return false;
   const auto shape = stepper_.shape(state);
   return largest_normal(*shape, relative_to_centroids(*shape, velocity_of(state))) <
@@ -196,7 +196,7 @@ State Evolution::step(const State& before)
         fmt::format(
           "t = {}: a step of {} can't be made: {}. Take a smaller time.step, or time.step = "
           "\"auto\".",
-          before.time, from.controller.next_step * time_unit_, reason),
+          before.time, from.controller.next_step * time_unit(), reason),
         refused);
     ++from.controller.rejected;
     from.controller.free_step = from.controller.next_step / 2;
@@ -208,7 +208,7 @@ State Evolution::step(const State& before)
   throw StepFailure(
     fmt::format("t = {}: no step can be made, down to {:.1e}: {}. Try more triangles, or "
                 "a milder flow, load or deflation.",
-      before.time, from.controller.next_step * time_unit_, reason),
+      before.time, from.controller.next_step * time_unit(), reason),
     refused);
 }
 
@@ -217,7 +217,7 @@ State Evolution::accept(const State& before, const State& from, State after, Ste
 {
   const auto target = schedule_.next_stop(before);
   const double dt = from.controller.next_step;
-  const bool on_target = target && dt == *target / time_unit_ - before.time / time_unit_;
+  const bool on_target = target && dt == *target / time_unit() - before.time / time_unit();
   if (on_target)
     after.time = *target;
   schedule_.pass(after);

@@ -32,6 +32,7 @@ public:
 
 private:
   double rate() const;
+  double time_unit() const { return stepper_.settings().time_unit; }
   State unsolved(const std::vector<Points>& points);
   void require_apart(const State& state);
   void plan_next_step(State& state);
@@ -40,7 +41,6 @@ private:
 
   Stepper stepper_;
   OutputSchedule schedule_;
-  double time_unit_;
   std::optional<double> fixed_step_;
 };
 

@@ -1,6 +1,7 @@
 #include "solver/dynamics/Proximity.h"
 
 #include "solver/ParallelFor.h"
+#include "solver/mesh/BoundingBox.h"
 
 #include <Eigen/LU>
 #include <fmt/format.h>
@@ -20,11 +21,7 @@ using Box = Eigen::AlignedBox3d;
 // The control points' box holds the surface; that of the vertices may not.
 Box box_of(const Surface& surface)
 {
-  Box box(surface.control.colwise().minCoeff().transpose(),
-    surface.control.colwise().maxCoeff().transpose());
-  box.extend(Box(surface.vertices.colwise().minCoeff().transpose(),
-    surface.vertices.colwise().maxCoeff().transpose()));
-  return box;
+  return bounding_box(surface.control).merged(bounding_box(surface.vertices));
 }
 
 // Of an equilateral triangle about that wide.
@@ -44,15 +41,15 @@ std::vector<Box> boxes_of(const std::vector<Proximity::Side>& sides)
 
 }
 
-std::string to_text(const Gap& gap, double unit)
+std::string to_text(const Gap& gap)
 {
-  const Vector3 place = unit * (gap.place[0] + gap.place[1]) / 2;
+  const Vector3 place = (gap.place[0] + gap.place[1]) / 2;
   const std::string where =
     fmt::format("near ({:.4g}, {:.4g}, {:.4g})", place.x(), place.y(), place.z());
   if (gap.distance < 0)
     return fmt::format("vesicles {} and {} cross {}", gap.vesicle[0], gap.vesicle[1], where);
-  return fmt::format("vesicles {} and {} are {:.3g} apart {}", gap.vesicle[0], gap.vesicle[1],
-    unit * gap.distance, where);
+  return fmt::format(
+    "vesicles {} and {} are {:.3g} apart {}", gap.vesicle[0], gap.vesicle[1], gap.distance, where);
 }
 
 Proximity::Proximity(std::vector<Side> sides, double reach)
@@ -102,14 +99,13 @@ std::vector<Proximity::NearVertex> Proximity::near_vertices(
   return near;
 }
 
-// On the panels of the elements around the nearest flat triangle, for x nearer than the radius of
+// On the panels of the elements around the nearest flat triangle, `hit`, for x nearer than the radius of
 // curvature.
-static Proximity::Place nearest_panel(const Proximity::Side& side, const TriangleTree& tree,
+static Proximity::Place nearest_panel(const Proximity::Side& side, const TriangleTree::Hit& hit,
   const SurfacePanels& panels, const Vector3& x)
 {
   const LayerRules& rules = *side.rules;
   const PanelBasis& basis = rules.panels();
-  const TriangleTree::Hit hit = tree.nearest(x);
   Proximity::Place best;
   const auto look = [&](int element)
   {
@@ -141,14 +137,20 @@ Proximity::Place Proximity::nearest(std::size_t vesicle, const Vector3& x) const
   const Side& side = sides_[vesicle];
   const double edge = edge_of(*side.surface);
   const TriangleTree::Hit hit = tree.nearest(x);
-  const bool near = hit.squared_distance <= edge * edge;
-  const auto corner = corners(tree.mesh(), hit.triangle);
   Place best;
-  best.position =
-    hit.weights[0] * corner[0] + hit.weights[1] * corner[1] + hit.weights[2] * corner[2];
-  for (int sweep = 0; sweep < (near ? 1 : sweeps); ++sweep)
-    best = nearest_panel(side, tree, panels,
-      near ? x : Vector3(best.position + edge * (x - best.position).normalized()));
+  if (hit.squared_distance <= edge * edge)
+    best = nearest_panel(side, hit, panels, x);
+  else
+  {
+    const auto corner = corners(tree.mesh(), hit.triangle);
+    best.position =
+      hit.weights[0] * corner[0] + hit.weights[1] * corner[1] + hit.weights[2] * corner[2];
+    for (int sweep = 0; sweep < sweeps; ++sweep)
+    {
+      const Vector3 off = best.position + edge * (x - best.position).normalized();
+      best = nearest_panel(side, tree.nearest(off), panels, off);
+    }
+  }
   best.distance = (x - best.position).norm();
   if ((x - best.position).dot(best.normal) < 0)
     best.distance = -best.distance;
@@ -232,28 +234,6 @@ std::vector<double> distances(const Proximity& proximity)
     for (const std::size_t v : { near.vesicle, near.other })
       least[v] = std::min(least[v], near.place.distance);
   return least;
-}
-
-Gap smallest_gap(const std::vector<Proximity::Side>& sides)
-{
-  // No farther than the vertices of the vesicles whose boxes are nearest.
-  const std::vector<Box> boxes = boxes_of(sides);
-  double least = std::numeric_limits<double>::infinity();
-  std::array<std::size_t, 2> pair{};
-  for (std::size_t a = 0; a < sides.size(); ++a)
-    for (std::size_t b = a + 1; b < sides.size(); ++b)
-      if (const double distance = boxes[a].squaredExteriorDistance(boxes[b]); distance < least)
-      {
-        least = distance;
-        pair = { a, b };
-      }
-  const Points &from = sides[pair[0]].surface->vertices, &to = sides[pair[1]].surface->vertices;
-  double reach = std::numeric_limits<double>::infinity();
-  for (const auto& x : from.rowwise())
-    reach = std::min(reach, (to.rowwise() - x).rowwise().norm().minCoeff());
-  for (;; reach *= 1.1) // the vertices' own distances are as good as those along the surfaces
-    if (const auto gap = Proximity(sides, reach).smallest())
-      return *gap;
 }
 
 }

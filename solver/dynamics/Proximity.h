@@ -24,8 +24,8 @@ struct Gap
   std::array<std::size_t, 2> vesicle{};
   std::array<Vector3, 2> place{ Vector3::Zero(), Vector3::Zero() }; ///< on each
 };
-/// "vesicles 0 and 1 are 0.01 apart near (0, 0, 1)", or that they cross; lengths times `unit`.
-std::string to_text(const Gap& gap, double unit = 1);
+/// "vesicles 0 and 1 are 0.01 apart near (0, 0, 1)", or that they cross.
+std::string to_text(const Gap& gap);
 
 class Proximity
 {
@@ -82,8 +82,5 @@ private:
 /// Of each vesicle the distance to the nearest other one, by the vertices of both; infinite where none is
 /// within reach.
 std::vector<double> distances(const Proximity& proximity);
-
-/// The smallest gap, however large. With at least two vesicles.
-Gap smallest_gap(const std::vector<Proximity::Side>& sides);
 
 }

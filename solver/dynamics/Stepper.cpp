@@ -160,7 +160,7 @@ double Stepper::longest_step(const State& state)
       longest = std::min(
         longest, longest_passage * vesicle::mean_edge(surface.vertices, neighbours_[v]) / speed);
   }
-  return several() ? std::min(longest, longest_approach(*now, state)) : longest;
+  return several() ? std::min(longest, longest_approach(state)) : longest;
 }
 
 // Of all vesicles.
@@ -172,17 +172,26 @@ double Stepper::mean_edge(const SystemShape& shape) const
   return sum / static_cast<double>(shape.vesicles.size());
 }
 
-Proximity Stepper::proximity(const SystemShape& shape) const
+// A step's end is the next one's start: each shape is looked at once.
+const Stepper::Neighbourhood& Stepper::neighbourhood(
+  const std::shared_ptr<const SystemShape>& shape)
 {
-  return { sides(shape), near_edges * mean_edge(shape) };
+  if (!neighbourhood_ || neighbourhood_->shape != shape)
+  {
+    const double edge = mean_edge(*shape);
+    Proximity proximity(sides(*shape), near_edges * edge);
+    std::optional<Gap> gap = proximity.smallest();
+    neighbourhood_ = std::make_unique<const Neighbourhood>(
+      Neighbourhood{ shape, std::move(proximity), gap, edge });
+  }
+  return *neighbourhood_;
 }
 
 // A share of the gap over the speed at which vertices and the other surface approach each other.
-double Stepper::longest_approach(const SystemShape& shape, const State& state) const
+double Stepper::longest_approach(const State& state)
 {
   double longest = INFINITY;
-  const Proximity distances = proximity(shape);
-  for (const Proximity::NearVertex& near : distances.near())
+  for (const Proximity::NearVertex& near : neighbourhood(shape(state)).proximity.near())
   {
     const auto& corners = system_.vesicles[near.other].space->triangles().row(near.place.triangle);
     Eigen::RowVector3d there = Eigen::RowVector3d::Zero();
@@ -201,23 +210,22 @@ void Stepper::require_apart(const State& state)
 {
   if (!several())
     return;
-  const auto now = shape(state);
-  if (const auto gap = proximity(*now).smallest();
-      gap && gap->distance < settings_.limits.contact * mean_edge(*now))
-    throw NumericalError(to_text(*gap));
+  const Neighbourhood& now = neighbourhood(shape(state));
+  if (now.gap && now.gap->distance < settings_.limits.contact * now.edge)
+    throw NumericalError(to_text(*now.gap));
 }
 
-void Stepper::look_for_contact(const State& after, const SystemShape& start, StepReport& report)
+void Stepper::look_for_contact(
+  const State& after, const std::shared_ptr<const SystemShape>& start, StepReport& report)
 {
-  const auto end = shape(after);
-  const auto before = proximity(start).smallest(), now = proximity(*end).smallest();
-  const double edge = mean_edge(*end);
-  if (!now)
+  const std::optional<Gap> before = neighbourhood(start).gap;
+  const Neighbourhood& now = neighbourhood(shape(after));
+  if (!now.gap)
     return;
-  report.gap_before = before ? before->distance / edge : near_edges;
-  report.gap = now->distance / edge;
+  report.gap_before = before ? before->distance / now.edge : near_edges;
+  report.gap = now.gap->distance / now.edge;
   if (report.gap < settings_.limits.contact)
-    report.contact = to_text(*now);
+    report.contact = to_text(*now.gap);
 }
 
 Stepper::Solved Stepper::solve_stage(State& state, const std::vector<Points>& points, double time,
@@ -310,7 +318,7 @@ State Stepper::attempt(const State& before, StepReport& report)
       vesicle.points += dt * vesicle.node_velocity;
   restore_area_and_volume(after, *start, report);
   if (several() && report.finite)
-    look_for_contact(after, *start, report);
+    look_for_contact(after, start, report);
   return after;
 }
 

@@ -64,6 +64,15 @@ private:
     std::vector<std::unique_ptr<const TangentialMotion>> sliding;
   };
 
+  /// What is between the vesicles of a shape.
+  struct Neighbourhood
+  {
+    std::shared_ptr<const SystemShape> shape;
+    Proximity proximity;
+    std::optional<Gap> gap;
+    double edge; ///< the mean edge, of all vesicles
+  };
+
   /// In t0.
   double time_of(const State& state) const { return state.time / settings_.time_unit; }
   std::shared_ptr<const SystemShape> shape(const std::vector<Points>& points, double time);
@@ -76,15 +85,17 @@ private:
   void restore_area_and_volume(State& after, const SystemShape& start, StepReport& report);
   bool several() const { return system_.vesicles.size() > 1; }
   double mean_edge(const SystemShape& shape) const;
-  Proximity proximity(const SystemShape& shape) const;
-  double longest_approach(const SystemShape& shape, const State& state) const;
-  void look_for_contact(const State& after, const SystemShape& start, StepReport& report);
+  const Neighbourhood& neighbourhood(const std::shared_ptr<const SystemShape>& shape);
+  double longest_approach(const State& state);
+  void look_for_contact(
+    const State& after, const std::shared_ptr<const SystemShape>& start, StepReport& report);
 
   System system_;
   StepperSettings settings_;
   std::vector<AdjacencyList> neighbours_; ///< of each vesicle's vertices
   // What is kept between steps and never changes a result.
-  std::shared_ptr<const SystemShape> shape_; ///< of the last shapes and time asked for
+  std::shared_ptr<const SystemShape> shape_;           ///< of the last shapes and time asked for
+  std::unique_ptr<const Neighbourhood> neighbourhood_; ///< of the last shape asked for
   std::unique_ptr<StageSolver> stages_;
 };
 

@@ -52,6 +52,9 @@ struct FlowKind
   std::unique_ptr<ImposedFlow> (*make)(); ///< a flow with every parameter at its default
 };
 
+/// Whether flows of the kind are read from a file, and are known only then.
+bool is_from_file(const FlowKind& kind);
+
 /// A kind's `make`.
 template<class Flow>
 std::unique_ptr<ImposedFlow> make_flow()

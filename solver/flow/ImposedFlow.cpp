@@ -2,6 +2,8 @@
 
 #include "solver/flow/FlowKind.h"
 
+#include <algorithm>
+
 namespace vesicle
 {
 namespace
@@ -64,6 +66,12 @@ std::shared_ptr<const ImposedFlow> ImposedFlow::times(double factor) const
       const bool moves = dimension == Dimension::rate || dimension == Dimension::velocity;
       return moves ? Value(value * factor) : value;
     });
+}
+
+bool is_from_file(const FlowKind& kind)
+{
+  return std::any_of(kind.parameters.begin(), kind.parameters.end(),
+    [](const FlowParameter& parameter) { return parameter.dimension == Dimension::file; });
 }
 
 std::shared_ptr<const ImposedFlow> flow_at(

@@ -6,26 +6,17 @@
 namespace vesicle
 {
 
-static void observe(History& run)
-{
-  const std::vector<Diagnostics> all = run.simulation->diagnose_all(run.last);
-  run.rows.push_back(all[0]);
-  run.others.resize(all.size() - 1);
-  for (std::size_t v = 1; v < all.size(); ++v)
-    run.others[v - 1].push_back(all[v]);
-}
-
 History run_to_end(std::shared_ptr<Simulation> simulation, double latest,
   const std::function<void(const Diagnostics&)>& watch)
 {
   History run{ std::move(simulation), {}, {} };
   Simulation& sim = *run.simulation;
   run.last = sim.start();
-  observe(run);
+  run.rows.push_back(sim.diagnose(run.last));
   while (!sim.finished(run.last) && run.last.time < latest)
   {
     run.last = sim.step(run.last);
-    observe(run);
+    run.rows.push_back(sim.diagnose(run.last));
     if (watch)
     {
       watch(run.end());

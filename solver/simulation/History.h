@@ -16,7 +16,6 @@ struct History
   std::shared_ptr<Simulation> simulation;
   std::vector<Diagnostics> rows; ///< of the first vesicle, the start first
   State last;
-  std::vector<std::vector<Diagnostics>> others = {}; ///< of each further vesicle
 
   const Diagnostics& end() const { return rows.back(); }
 };

@@ -1,9 +1,9 @@
 #include "solver/simulation/StartOverlap.h"
 
+#include "solver/mesh/BoundingBox.h"
 #include "solver/mesh/JoinedMesh.h"
 #include "solver/mesh/SelfCrossing.h"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,18 +15,12 @@ namespace vesicle
 namespace
 {
 
-Eigen::AlignedBox3d box_of(const TriangleMesh& mesh)
-{
-  return { Vector3(mesh.points.colwise().minCoeff().transpose()),
-    Vector3(mesh.points.colwise().maxCoeff().transpose()) };
-}
-
 /// Of surfaces that don't cross each other one point tells.
 std::optional<Overlap> find_nested(const std::vector<TriangleMesh>& meshes)
 {
   std::vector<Eigen::AlignedBox3d> boxes;
   for (const TriangleMesh& mesh : meshes)
-    boxes.push_back(box_of(mesh));
+    boxes.push_back(bounding_box(mesh.points));
   for (std::size_t inner = 0; inner < meshes.size(); ++inner)
     for (std::size_t outer = 0; outer < meshes.size(); ++outer)
       if (const Vector3 point = meshes[inner].points.row(0);

@@ -1,5 +1,7 @@
 #include "solver/state/RunRows.h"
 
+#include <cmath>
+
 namespace vesicle
 {
 
@@ -27,6 +29,15 @@ std::vector<std::optional<double>> run_row(const std::vector<Diagnostics>& vesic
       row.push_back(vesicles[v].gap);
   }
   return row;
+}
+
+double largest(const std::vector<Diagnostics>& vesicles, double Diagnostics::*member)
+{
+  double value = 0;
+  for (const Diagnostics& vesicle : vesicles)
+    if (std::abs(vesicle.*member) >= std::abs(value))
+      value = vesicle.*member;
+  return value;
 }
 
 }

@@ -15,5 +15,7 @@ namespace vesicle
 std::vector<std::string> run_columns(std::size_t vesicles);
 /// What a step adds to it: the rows of all vesicles, one after the other.
 std::vector<std::optional<double>> run_row(const std::vector<Diagnostics>& vesicles);
+/// Of the vesicles' values that which is largest in magnitude.
+double largest(const std::vector<Diagnostics>& vesicles, double Diagnostics::*member);
 
 }

@@ -1,13 +1,12 @@
 #include "solver/stokes/NearSurfaceCorrections.h"
 
 #include "solver/ParallelFor.h"
+#include "solver/mesh/BoundingBox.h"
 #include "solver/stokes/NearRule.h"
 #include "solver/stokes/PanelPolynomials.h"
 #include "solver/stokes/SpheresAround.h"
 #include "solver/stokes/StokesOperator.h"
 #include "solver/stokes/kernels/StokesletKernel.h"
-
-#include <Eigen/Geometry>
 
 namespace vesicle
 {
@@ -46,11 +45,6 @@ struct ElementSpheres
     }
   }
 };
-
-Box box_of(const Points& points)
-{
-  return { points.colwise().minCoeff().transpose(), points.colwise().maxCoeff().transpose() };
-}
 
 NearVertices near_vertices(
   const std::vector<LayerSurface>& surfaces, const std::vector<Box>& boxes, std::size_t source)
@@ -169,7 +163,7 @@ std::vector<NearVertices> near_vertices(const std::vector<LayerSurface>& surface
 {
   std::vector<Box> boxes;
   for (const LayerSurface& surface : surfaces)
-    boxes.push_back(box_of(surface.vertices));
+    boxes.push_back(bounding_box(surface.vertices));
   std::vector<NearVertices> result(surfaces.size());
   parallel_for(
     surfaces.size(), [&](std::size_t s) { result[s] = near_vertices(surfaces, boxes, s); });

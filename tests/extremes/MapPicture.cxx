@@ -3,7 +3,6 @@
 #include "render/Picture.h"
 #include "render/PngFile.h"
 #include "render/RenderBackend.h"
-#include "render/SvgFile.h"
 #include "render/TextStyle.h"
 
 #include "vtkBrush.h"
@@ -137,10 +136,7 @@ void write_map(
   renderer->AddActor(canvas);
   window->AddRenderer(renderer);
   window->Render();
-  if (file.extension() == ".svg")
-    write_svg(file, window);
-  else
-    write_png(file, grab_image(window));
+  write_png(file, grab_image(window));
 }
 
 }

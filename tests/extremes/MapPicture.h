@@ -14,7 +14,7 @@ struct MapBox
   std::string end;              ///< end_name
 };
 
-/// PNG, or SVG by the file's ending; boxes of a row stand together.
+/// As PNG; boxes of a row stand together.
 void write_map(
   const std::filesystem::path& file, const std::string& title, const std::vector<MapBox>& boxes);
 

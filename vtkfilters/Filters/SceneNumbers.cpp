@@ -4,7 +4,6 @@
 #include "MeshConversion.h"
 
 #include "solver/Errors.h"
-#include "solver/flow/FieldFlow.h"
 #include "solver/flow/FlowKinds.h"
 #include "solver/flow/FlowNumbers.h"
 #include "solver/mesh/Topology.h"
@@ -89,7 +88,7 @@ std::shared_ptr<const ImposedFlow> read_flow(vtkFieldData* from)
   if (!(number >= 0 && number <= kinds && number == std::floor(number)))
     throw InputError(
       fmt::format("the surface's field data Flow_Kind is {}; there are 0 to {}", number, kinds));
-  if (number == number_of(FieldFlow::description()))
+  if (number > 0 && is_from_file(*flow_kinds()[static_cast<std::size_t>(number) - 1]))
     throw InputError(
       "the surface was in a velocity field of a file, which its data don't hold; add "
       "that field to what the membrane does in a fluid at rest (Flow_Kind 0)");

@@ -1,6 +1,5 @@
 #include "VelocityFieldFile.h"
 
-#include "MeshConversion.h"
 #include "SeriesFile.h"
 #include "VtkMessages.h"
 

@@ -21,7 +21,7 @@ namespace vesicle
 VESICLEFILTERS_EXPORT std::shared_ptr<const VelocityField> read_velocity_field(
   const std::filesystem::path& file, std::string& notes);
 
-/// The scene with the field that its flow names, if it names one; relative to nothing.
+/// The scene with the field that its flow names, if it names one.
 VESICLEFILTERS_EXPORT Scene with_velocity_field(Scene scene, std::string& notes);
 
 }

@@ -4,6 +4,7 @@
 
 #include "solver/Errors.h"
 #include "solver/dynamics/System.h"
+#include "tests/solver/dynamics/SmallestGap.h"
 #include "tests/solver/support/TestMeshes.h"
 
 #include <gtest/gtest.h>
@@ -55,7 +56,7 @@ TEST(Proximity, TheGapIsThatOfTheSurfaces)
       {
         const Bodies bodies({ test::smooth_sphere(triangles),
           turned(test::smooth_sphere(triangles), 0.7, (2 + gap) * along.normalized()) });
-        const Gap found = smallest_gap(bodies.sides());
+        const Gap found = test::smallest_gap(bodies.sides());
         EXPECT_NEAR(found.distance, gap, tolerance) << triangles << ", " << gap;
         EXPECT_EQ(found.vesicle[0] + found.vesicle[1], 1U);
         const std::size_t lower = found.vesicle[0] == 0 ? 0 : 1;
@@ -64,7 +65,7 @@ TEST(Proximity, TheGapIsThatOfTheSurfaces)
       }
   const Bodies apart(
     { test::smooth_sphere(320), turned(test::smooth_sphere(320), 0.7, { 0, 0, 4 }) });
-  EXPECT_NEAR(smallest_gap(apart.sides()).distance, 2, 1e-3);
+  EXPECT_NEAR(test::smallest_gap(apart.sides()).distance, 2, 1e-3);
 }
 
 TEST(Proximity, NearestOfManyByTheirNumbers)
@@ -72,7 +73,7 @@ TEST(Proximity, NearestOfManyByTheirNumbers)
   std::vector<TriangleMesh> meshes;
   for (const double x : { 0., 2.4, 4.5, 9. })
     meshes.push_back(turned(test::smooth_sphere(80), x, { x, 0, 0 }));
-  const Gap found = smallest_gap(Bodies(meshes).sides());
+  const Gap found = test::smallest_gap(Bodies(meshes).sides());
   EXPECT_EQ(std::max(found.vesicle[0], found.vesicle[1]), 2U);
   EXPECT_EQ(std::min(found.vesicle[0], found.vesicle[1]), 1U);
   EXPECT_NEAR(found.distance, 0.1, 0.01);
@@ -82,7 +83,7 @@ TEST(Proximity, CrossingIsANegativeGap)
 {
   const Bodies bodies(
     { test::smooth_sphere(320), turned(test::smooth_sphere(320), 0.7, { 0, 0, 1.95 }) });
-  EXPECT_NEAR(smallest_gap(bodies.sides()).distance, -0.05, 2e-3);
+  EXPECT_NEAR(test::smallest_gap(bodies.sides()).distance, -0.05, 2e-3);
 }
 
 TEST(Proximity, NothingIsNearBeyondTheReach)

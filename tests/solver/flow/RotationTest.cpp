@@ -2,8 +2,7 @@
 
 #include "solver/flow/Rotation.h"
 
-#include "solver/mesh/shapes/Shapes.h"
-#include "solver/simulation/Simulation.h"
+#include "solver/simulation/History.h"
 #include "solver/scene/SceneFile.h"
 #include "tests/solver/support/TestMeshes.h"
 
@@ -58,15 +57,8 @@ struct End
 
 End run(const Scene& scene)
 {
-  ShapeRequest request;
-  request.kind = ShapeRequest::Kind::prolate;
-  request.reduced_volume = 0.95;
-  request.triangles = 80;
-  Simulation simulation(scene, make_shape(request));
-  State state = simulation.start();
-  while (!simulation.finished(state))
-    state = simulation.step(state);
-  return { simulation.points(state), simulation.diagnose(state).bending_energy };
+  const History run = run_to_end(std::make_shared<Simulation>(scene, test::small_prolate()));
+  return { run.simulation->points(run.last), run.end().bending_energy };
 }
 
 class RotatingVesicle : public testing::TestWithParam<Scene::Preset>

@@ -6,9 +6,8 @@
 #include "solver/flow/Rotation.h"
 #include "solver/flow/Shear.h"
 #include "solver/flow/Uniform.h"
-#include "solver/mesh/shapes/Shapes.h"
 #include "solver/scene/SceneFile.h"
-#include "solver/simulation/Simulation.h"
+#include "solver/simulation/History.h"
 #include "tests/solver/support/TestMeshes.h"
 
 #include <gtest/gtest.h>
@@ -55,31 +54,19 @@ Scene scene_in(std::shared_ptr<const ImposedFlow> flow, FlowHistory history, dou
   return scene;
 }
 
-struct Course
+History course(const Scene& scene)
 {
-  Points start, end;
-  std::vector<double> times;
-  Vector3 center;
-};
+  return run_to_end(std::make_shared<Simulation>(scene, test::small_prolate()));
+}
 
-Course run(const Scene& scene)
+Points start_of(const History& run)
 {
-  ShapeRequest request;
-  request.kind = ShapeRequest::Kind::prolate;
-  request.reduced_volume = 0.95;
-  request.triangles = 80;
-  Simulation simulation(scene, make_shape(request));
-  State state = simulation.start();
-  Course result{ simulation.points(state), {}, { state.time }, {} };
-  while (!simulation.finished(state))
-  {
-    state = simulation.step(state);
-    result.times.push_back(state.time);
-  }
-  result.end = simulation.points(state);
-  const Diagnostics d = simulation.diagnose(state);
-  result.center = Vector3(d.centroid[0], d.centroid[1], d.centroid[2]);
-  return result;
+  return run.simulation->start_mesh().points;
+}
+
+Points end_of(const History& run)
+{
+  return run.simulation->points(run.last);
 }
 
 // The midpoint rule is exact where the velocity is linear in time: only if every corner is hit is
@@ -89,11 +76,14 @@ TEST(VaryingFlow, CarriesAVesicleByTheIntegralOfItsFactor)
   const FlowHistory history{ { { 0, 0 }, { 1, 1 }, { 1, 0 }, { 1.5, 0 }, { 1.5, 1 }, { 2.5, -2 } },
     {}, 0 };
   const Vector3 velocity(1, 2, -0.5);
-  const Course moved = run(scene_in(std::make_shared<Uniform>(velocity), history, 2.75));
+  const History moved = course(scene_in(std::make_shared<Uniform>(velocity), history, 2.75));
   const double way = 0.5 - 0.5 - 0.5;
-  EXPECT_LT((moved.center - way * velocity).norm(), 1e-8);
+  EXPECT_LT((Vector3(moved.end().centroid.data()) - way * velocity).norm(), 1e-8);
   for (const double corner : { 1., 1.5, 2.5, 2.75 })
-    EXPECT_EQ(std::count(moved.times.begin(), moved.times.end(), corner), 1) << corner;
+    EXPECT_EQ(std::count_if(moved.rows.begin(), moved.rows.end(),
+                [=](const Diagnostics& d) { return d.time == corner; }),
+      1)
+      << corner;
 }
 
 // A shape that neither bends nor deforms turns by the integral of the rate: sin ωt/ω.
@@ -106,11 +96,11 @@ TEST(VaryingFlow, TurnsAVesicleByTheIntegralOfItsRate)
     Scene scene =
       scene_in(std::make_shared<Rotation>(rate, Vector3::UnitY()), { {}, {}, omega }, end);
     scene.time.step = level == 0 ? 0.02 : 0.01;
-    const Course turned = run(scene);
+    const History turned = course(scene);
     const double angle = rate * std::sin(omega * end) / omega;
     const Points exact =
-      turned.start * Eigen::AngleAxisd(angle, Vector3::UnitY()).toRotationMatrix().transpose();
-    error[level] = (turned.end - exact).rowwise().norm().maxCoeff();
+      start_of(turned) * Eigen::AngleAxisd(angle, Vector3::UnitY()).toRotationMatrix().transpose();
+    error[level] = (end_of(turned) - exact).rowwise().norm().maxCoeff();
   }
   EXPECT_LT(error[1], 5e-4);
   EXPECT_GT(test::order(error[0], error[1]), 1.8) << error[0] << ", " << error[1];
@@ -122,11 +112,11 @@ TEST(VaryingFlow, TurnedBackItUndoesWhatItDid)
   const FlowHistory history{ { { 0, 1 }, { 0.5, 1 }, { 0.5, -1 } }, {}, 0 };
   Scene scene = scene_in(std::make_shared<Shear>(1), history, 1);
   scene.time.tolerance = 1e-4;
-  const Course there_and_back = run(scene);
-  EXPECT_LT((there_and_back.end - there_and_back.start).rowwise().norm().maxCoeff(), 2e-3);
+  const History there_and_back = course(scene);
+  EXPECT_LT((end_of(there_and_back) - start_of(there_and_back)).rowwise().norm().maxCoeff(), 2e-3);
   scene.flow_history = {};
-  const Course there = run(scene);
-  EXPECT_GT((there.end - there.start).rowwise().norm().maxCoeff(), 0.3);
+  const History there = course(scene);
+  EXPECT_GT((end_of(there) - start_of(there)).rowwise().norm().maxCoeff(), 0.3);
 }
 
 constexpr const char* text = R"(

@@ -6,44 +6,19 @@
 #include "solver/mesh/shapes/ShapeRequest.h"
 #include "solver/mesh/shapes/Shapes.h"
 #include "solver/stokes/TreeSum.h"
-#include "solver/surface/Collocation.h"
-#include "solver/surface/LoopBasis.h"
+#include "tests/solver/stokes/LoopBody.h"
 #include "tests/solver/support/TestMeshes.h"
 
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
-
-#include <functional>
 
 namespace vesicle
 {
 namespace
 {
 
-using Field = std::function<Vector3(const Vector3&)>;
-
-/// One smooth surface through a mesh's vertices.
-struct Body
-{
-  TriangleMesh mesh;
-  LoopBasis basis;
-  Collocation collocation;
-  LayerRules rules;
-
-  explicit Body(TriangleMesh m)
-    : mesh(std::move(m)), basis(mesh.triangles, static_cast<int>(mesh.points.rows())),
-      collocation(basis), rules(basis, layer_quadrature(basis, 3))
-  {
-  }
-  LayerSurface surface() const { return { &rules, mesh.points, collocation.fit(mesh.points) }; }
-  Eigen::VectorXd sampled(const Field& field) const
-  {
-    Eigen::VectorXd values(3 * mesh.points.rows());
-    for (int i = 0; i < mesh.points.rows(); ++i)
-      values.segment<3>(3 * i) = field(mesh.points.row(i).transpose());
-    return values;
-  }
-};
+using test::Field;
+using Body = test::LoopBody;
 
 std::unique_ptr<const PointSum> tree_sum(const RowVectors& points, const Points& vertices)
 {

@@ -1,5 +1,7 @@
 #include "tests/solver/support/TestMeshes.h"
 
+#include "solver/mesh/shapes/Shapes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -11,6 +13,15 @@
 
 namespace vesicle::test
 {
+
+TriangleMesh small_prolate()
+{
+  ShapeRequest request;
+  request.kind = ShapeRequest::Kind::prolate;
+  request.reduced_volume = 0.95;
+  request.triangles = 80;
+  return make_shape(request);
+}
 
 TriangleMesh torus(double R, double r, int around, int across)
 {
