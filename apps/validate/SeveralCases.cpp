@@ -2,7 +2,12 @@
 
 #include "apps/validate/Cases.h"
 #include "apps/validate/Runs.h"
+#include "solver/mesh/shapes/Shapes.h"
 #include "solver/simulation/StartMesh.h"
+#include "solver/stokes/LayerSum.h"
+#include "solver/stokes/StokesOperator.h"
+#include "solver/surface/Collocation.h"
+#include "solver/surface/LoopBasis.h"
 
 #include <fmt/format.h>
 
@@ -51,6 +56,61 @@ void blobs(Report& report)
   }
 }
 
+/// A unit sphere's surface and the rules of its layer.
+struct Sphere
+{
+  TriangleMesh mesh;
+  LoopBasis basis;
+  Collocation collocation;
+  LayerRules rules;
+
+  explicit Sphere(int triangles)
+    : mesh(make_shape({ .triangles = triangles })),
+      basis(mesh.triangles, static_cast<int>(mesh.points.rows())), collocation(basis),
+      rules(basis, layer_quadrature(basis, 3))
+  {
+  }
+};
+
+/// Outside a sphere of fluid under the load z n: with a = e_z/r + x z/r³, u = a/6 + ∇²a/60.
+Vector3 beside_blob(const Vector3& x)
+{
+  const double r = x.norm(), r3 = r * r * r;
+  const Vector3 e = Vector3::UnitZ(), n = x / r;
+  return (e / r + x * x.z() / r3) / 6 + (e - 3 * n * n.z()) * 2 / r3 / 60;
+}
+
+double largest_error(const Points& at, const Eigen::VectorXd& velocity)
+{
+  double error = 0;
+  for (Eigen::Index i = 0; i < at.rows(); ++i)
+    error = std::max(error,
+      (velocity.segment<3>(3 * i) - beside_blob(at.row(i).transpose())).cwiseAbs().maxCoeff());
+  return error;
+}
+
+// At the vertices of another sphere, turned so that none is over a vertex, and at its own.
+void layer(Report& report)
+{
+  const Sphere blob(report.triangles());
+  const Points& x = blob.mesh.points;
+  const Points load = (x.array().colwise() * x.col(2).array()).matrix();
+  const Eigen::VectorXd f = blob.collocation.to_control(flat(load)),
+                        none = Eigen::VectorXd::Zero(f.size());
+  const LayerSurface surface{ &blob.rules, x, blob.collocation.fit(x) };
+  const double own = largest_error(x, LayerSum(StokesOperator({ surface })).apply({ f }));
+  report.add(at_most("on the sphere itself: velocity", report.full() ? 2e-5 : 8e-5, own));
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.4, Vector3(1, 2, 3).normalized()).matrix();
+  for (const double gap : { 1., 0.1, 0.01, 0.001 })
+  {
+    const Points above = (x * turn.transpose()).rowwise() + Eigen::RowVector3d(0, 0, 2 + gap);
+    const StokesOperator both({ surface, { &blob.rules, above, blob.collocation.fit(above) } });
+    report.add(at_most(fmt::format("gap {:g}: velocity", gap), own,
+      largest_error(above, LayerSum(both).apply({ f, none }).tail(none.size())),
+      "no more than on it"));
+  }
+}
+
 // Along their line of centres inextensible spheres are rigid ones (M. Stimson, G. Jeffery, 1926).
 void inextensible(Report& report)
 {
@@ -95,6 +155,8 @@ std::vector<Case> several_cases()
   return {
     { "several/blobs", "Two spheres of fluid rise one above the other, down to a gap of .01 r0",
       Case::Set::fast, blobs },
+    { "several/layer", "Velocity beside a sphere of fluid, at another one's vertices",
+      Case::Set::fast, layer },
     { "several/inextensible",
       "Two spheres with inextensible membranes rise along their line of "
       "centres as rigid ones",
