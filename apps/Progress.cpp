@@ -2,6 +2,7 @@
 #include "apps/StandardOutput.h"
 
 #include "solver/dynamics/Diagnostics.h"
+#include "solver/state/RunRows.h"
 
 #include <fmt/format.h>
 

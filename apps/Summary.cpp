@@ -5,6 +5,7 @@
 
 #include "solver/files/FileBytes.h"
 #include "solver/scene/SceneFile.h"
+#include "solver/state/RunRows.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
