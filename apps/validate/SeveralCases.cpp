@@ -56,6 +56,13 @@ void blobs(Report& report)
   }
 }
 
+TriangleMesh sphere_mesh(int triangles)
+{
+  ShapeRequest sphere;
+  sphere.triangles = triangles;
+  return make_shape(sphere);
+}
+
 /// A unit sphere's surface and the rules of its layer.
 struct Sphere
 {
@@ -65,9 +72,8 @@ struct Sphere
   LayerRules rules;
 
   explicit Sphere(int triangles)
-    : mesh(make_shape({ .triangles = triangles })),
-      basis(mesh.triangles, static_cast<int>(mesh.points.rows())), collocation(basis),
-      rules(basis, layer_quadrature(basis, 3))
+    : mesh(sphere_mesh(triangles)), basis(mesh.triangles, static_cast<int>(mesh.points.rows())),
+      collocation(basis), rules(basis, layer_quadrature(basis, 3))
   {
   }
 };
