@@ -2,7 +2,7 @@
 
 #include "apps/validate/Cases.h"
 #include "apps/validate/Runs.h"
-#include "solver/mesh/shapes/Shapes.h"
+#include "solver/mesh/shapes/SampleMeshes.h"
 #include "solver/simulation/StartMesh.h"
 #include "solver/stokes/LayerSum.h"
 #include "solver/stokes/StokesOperator.h"
@@ -56,13 +56,6 @@ void blobs(Report& report)
   }
 }
 
-TriangleMesh sphere_mesh(int triangles)
-{
-  ShapeRequest sphere;
-  sphere.triangles = triangles;
-  return make_shape(sphere);
-}
-
 /// A unit sphere's surface and the rules of its layer.
 struct Sphere
 {
@@ -72,7 +65,7 @@ struct Sphere
   LayerRules rules;
 
   explicit Sphere(int triangles)
-    : mesh(sphere_mesh(triangles)), basis(mesh.triangles, static_cast<int>(mesh.points.rows())),
+    : mesh(smooth_sphere(triangles)), basis(mesh.triangles, static_cast<int>(mesh.points.rows())),
       collocation(basis), rules(basis, layer_quadrature(basis, 3))
   {
   }
