@@ -104,7 +104,7 @@ std::string label_of(const Course& course, std::size_t vesicles, std::size_t lin
   }
   const std::string line = course.line.label;
   return lines > most_labels ? ""
-                             : fmt::format("{}{}{}", course.vesicle, line.empty() ? "" : " ", line);
+                             : fmt::format("{}{}{}", course.vesicle, line.empty() ? "" : ": ", line);
 }
 
 /// Without those that are missing, or nothing but rounding beside the others.
