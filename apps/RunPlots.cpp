@@ -103,8 +103,9 @@ std::string label_of(const Course& course, std::size_t vesicles, std::size_t lin
     return course.line.label;
   }
   const std::string line = course.line.label;
-  return lines > most_labels ? ""
-                             : fmt::format("{}{}{}", course.vesicle, line.empty() ? "" : ": ", line);
+  return lines > most_labels
+    ? ""
+    : fmt::format("{}{}{}", course.vesicle, line.empty() ? "" : ": ", line);
 }
 
 /// Without those that are missing, or nothing but rounding beside the others.
