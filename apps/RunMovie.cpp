@@ -31,7 +31,7 @@ MovieSettings settings_of(
   settings.picture.guides = scene_guides(scene, View::named(scene.movie.view));
   if (scene.movie.chart != "none")
   {
-    settings.picture.chart = run_chart(scene.movie.chart, table);
+    settings.picture.chart = run_chart(scene.movie.chart, table, scene.units);
     if (!settings.picture.chart)
     {
       progress.say(fmt::format("no chart beside the movie: this run has no {}", scene.movie.chart));

@@ -1,6 +1,7 @@
 #include "apps/RunPlots.h"
 
 #include "solver/Errors.h"
+#include "solver/scene/Quantity.h"
 
 #include <fmt/format.h>
 
@@ -23,21 +24,22 @@ struct Subject
   const char* name;
   const char* title;
   const char* y_label;
+  const char* measures; ///< as the schema of scenes says it; empty: no dimension
   std::vector<Line> lines;
 };
 
 const std::vector<Subject> subjects{
-  { "energy", "Bending energy", "E / 8 pi EB", { { "energy_over_8pi", "" } } },
-  { "velocity", "Velocity of the centroid", "velocity",
+  { "energy", "Bending energy", "E / 8 pi EB", "", { { "energy_over_8pi", "" } } },
+  { "velocity", "Velocity of the centroid", "velocity", "length / time",
     { { "velocity_x", "x" }, { "velocity_y", "y" }, { "velocity_z", "z" } } },
-  { "inclination", "Inclination of the long axis", "degrees", { { "inclination_deg", "" } } },
-  { "tension", "Tension", "tension",
+  { "inclination", "Inclination of the long axis", "degrees", "", { { "inclination_deg", "" } } },
+  { "tension", "Tension", "tension", "energy / area",
     { { "tension_min", "lowest" }, { "tension_max", "highest" } } },
-  { "axes", "Semi-axes", "semi-axes",
+  { "axes", "Semi-axes", "semi-axes", "length",
     { { "semi_axis_1", "1" }, { "semi_axis_2", "2" }, { "semi_axis_3", "3" } } },
-  { "corrections", "Area and volume errors removed so far", "relative",
+  { "corrections", "Area and volume errors removed so far", "relative", "",
     { { "area_correction", "area" }, { "volume_correction", "volume" } } },
-  { "step", "Time step", "dt", { { "dt", "" } } },
+  { "step", "Time step", "dt", "time", { { "dt", "" } } },
 };
 
 const Subject& subject_of(const std::string& name)
@@ -94,6 +96,14 @@ double largest(const Course& course)
   return value;
 }
 
+std::string with_unit(const std::string& label, const char* measures, Units units)
+{
+  const Dimensions dimensions = dimensions_of(measures);
+  return units == Units::si && !dimensions.empty()
+    ? fmt::format("{} in {}", label, si_unit(dimensions.front()))
+    : label;
+}
+
 /// In the legend of a chart of so many lines. More than it has room for are told apart by nobody.
 std::string label_of(const Course& course, std::size_t vesicles, std::size_t lines)
 {
@@ -129,7 +139,7 @@ std::vector<Course> courses_of(const Subject& subject, const std::vector<RunTabl
 
 }
 
-std::optional<ChartSpec> run_chart(const std::string& name, const RunTable& table)
+std::optional<ChartSpec> run_chart(const std::string& name, const RunTable& table, Units units)
 {
   const Subject& subject = subject_of(name);
   const std::vector<RunTable> vesicles = table.by_vesicle();
@@ -140,8 +150,8 @@ std::optional<ChartSpec> run_chart(const std::string& name, const RunTable& tabl
   }
   ChartSpec chart;
   chart.title = subject.title;
-  chart.x_label = "time";
-  chart.y_label = subject.y_label;
+  chart.x_label = with_unit("time", "time", units);
+  chart.y_label = with_unit(subject.y_label, subject.measures, units);
   for (const Course& course : courses)
   {
     chart.lines.push_back(
@@ -173,7 +183,7 @@ std::vector<RunPlot> run_plots(const Scene& scene, const RunTable& table)
   std::vector<RunPlot> plots;
   for (const Subject& subject : subjects)
   {
-    auto chart = run_chart(subject.name, table);
+    auto chart = run_chart(subject.name, table, scene.units);
     if (chart && says_something(subject.name, scene))
     {
       plots.push_back({ subject.name, std::move(*chart) });

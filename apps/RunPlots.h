@@ -14,8 +14,9 @@ namespace vesicle
 {
 
 /// The chart of a subject (chart_names of the scene and others); empty where the table has nothing
-/// to show of it. Throws InputError for an unknown subject.
-std::optional<ChartSpec> run_chart(const std::string& subject, const RunTable& table);
+/// to show of it. In SI its axes name their units. Throws InputError for an unknown subject.
+std::optional<ChartSpec> run_chart(
+  const std::string& subject, const RunTable& table, Units units = Units::any);
 
 /// The columns of the table that it shows.
 std::vector<std::string> chart_columns(const std::string& subject, const RunTable& table);

@@ -6,6 +6,7 @@
 #include "solver/Joined.h"
 #include "solver/mesh/JoinedMesh.h"
 #include "solver/mesh/MeshIntegrals.h"
+#include "solver/scene/MeasuredText.h"
 #include "solver/simulation/EquilibriumOfScene.h"
 #include "solver/simulation/Simulation.h"
 #include "solver/simulation/SystemOfScene.h"
@@ -43,6 +44,7 @@ void measure(SceneCheck& check, const Scene& scene, const std::vector<StartMesh>
   check.reduced_volume = reduced_volume(first.area, first.volume);
   check.radius = scales_of(scene, meshes.front()).length;
   check.viscosity_ratio = scene.fluid.viscosity_ratio;
+  check.units = scene.units;
 }
 
 std::string existing_run(const std::filesystem::path& folder, const std::string& name)
@@ -76,7 +78,8 @@ double whole(double count)
 /// One line a number, those that the scene has.
 std::string numbers_text(const SceneCheck& c)
 {
-  std::string text = fmt::format("  {:<17}{:.6g}\n", "r0", c.radius);
+  std::string text =
+    fmt::format("  {:<17}{}\n", "r0", measured_text(c.radius, "length", c.units, 6));
   const auto add = [&text](const char* name, const std::optional<double>& value, const char* what)
   {
     if (value)
@@ -86,7 +89,8 @@ std::string numbers_text(const SceneCheck& c)
   };
   if (c.numbers)
   {
-    add("time unit", c.numbers->time_unit, "mu r0^3/EB");
+    text += fmt::format("  {:<17}{:<12} {}\n", "time unit",
+      measured_text(c.numbers->time_unit, "time", c.units, 6), "mu r0^3/EB");
     add("Bo", c.numbers->bond, "load over bending");
     add("Ca", c.numbers->capillary, "flow over bending");
     add("duration", c.numbers->duration, "time.end in the shortest time of flow, load and bending");
@@ -99,14 +103,16 @@ std::string numbers_text(const SceneCheck& c)
 std::string mesh_text(const SceneCheck& c)
 {
   const MeshQuality& q = c.quality;
+  const auto length = [&](double value) { return measured_text(value, "length", c.units, 4); };
   const std::string vesicles =
     c.vesicles > 1 ? fmt::format("  {:<17}{}\n", "vesicles", c.vesicles) : std::string();
   return vesicles +
-    fmt::format("  {:<17}{}\n  {:<17}{}\n  {:<17}{:.4g} (mean), {:.4g} to {:.4g}\n"
-                "  {:<17}{:.1f} degrees\n  {:<17}{:.8g}\n  {:<17}{:.8g}\n",
-      "triangles", c.triangles, "vertices", c.vertices, "edges", q.mean_edge, q.min_edge,
-      q.min_edge * q.edge_ratio, "smallest angle", q.min_angle_deg, "area", c.area, "volume",
-      c.volume);
+    fmt::format("  {:<17}{}\n  {:<17}{}\n  {:<17}{} (mean), {} to {}\n"
+                "  {:<17}{:.1f} degrees\n  {:<17}{}\n  {:<17}{}\n",
+      "triangles", c.triangles, "vertices", c.vertices, "edges", length(q.mean_edge),
+      length(q.min_edge), length(q.min_edge * q.edge_ratio), "smallest angle", q.min_angle_deg,
+      "area", measured_text(c.area, "area", c.units, 8), "volume",
+      measured_text(c.volume, "volume", c.units, 8));
 }
 
 std::string cost_text(const SceneCheck& c)

@@ -27,6 +27,7 @@ struct SceneCheck
   double radius = 0;                           ///< r0
   double viscosity_ratio = 1;                  ///< inside over outside
   std::optional<DimensionlessNumbers> numbers; ///< not where there is no run in time
+  Units units = Units::any;
   Cost cost;
   Resources available;
   std::string warnings; ///< what a run would say at its start, a line each; empty: nothing

@@ -5,6 +5,7 @@
 
 #include "solver/files/FileBytes.h"
 #include "solver/scene/SceneFile.h"
+#include "solver/scene/SceneNames.h"
 #include "solver/state/RunRows.h"
 
 #include <fmt/format.h>
@@ -95,6 +96,8 @@ void write_summary(const RunSummary& s, const std::filesystem::path& file)
   {
     summary["message"] = s.message;
   }
+  if (s.scene.units == Units::si)
+    summary["units"] = name_of(units_names, s.scene.units);
   summary["steps"] = s.last.empty() ? 0 : static_cast<std::int64_t>(s.last.front().step);
   summary["time"] = s.last.empty() ? 0 : s.last.front().time;
   summary["frames"] = s.frames;

@@ -21,10 +21,18 @@
 namespace vesicle
 {
 
+/// What the numbers of a scene are in.
+enum class Units
+{
+  any, ///< one system of units, which the scene doesn't name
+  si
+};
+
 struct Scene
 {
   std::string name = "vesicle";
   std::filesystem::path file; ///< where it was read from; empty: made in memory
+  Units units = Units::any;   ///< of all numbers below
 
   struct Vesicle
   {
@@ -56,8 +64,9 @@ struct Scene
 
   struct Fluid
   {
-    double viscosity = 1;       ///< μ of the fluid outside
-    double viscosity_ratio = 1; ///< λ, inside to outside
+    double viscosity = 1;        ///< μ of the fluid outside
+    double viscosity_ratio = 1;  ///< λ, inside to outside
+    double temperature = 298.15; ///< K; only of kT, where a scene has units
   } fluid;
 
   std::shared_ptr<const ImposedFlow> flow; ///< empty: fluid at rest

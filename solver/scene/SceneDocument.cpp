@@ -386,7 +386,7 @@ SceneDocument SceneDocument::of_vesicle(std::size_t number) const
 
 bool is_of_the_scene(const std::string& table, const std::string& key)
 {
-  return table == "fluid" && key == "viscosity";
+  return table == "fluid" && (key == "viscosity" || key == "temperature");
 }
 
 const std::vector<std::string>& own_tables()

@@ -5,13 +5,16 @@
 #include "solver/files/FileBytes.h"
 #include "solver/scene/NearestName.h"
 #include "solver/scene/SceneDocument.h"
+#include "solver/scene/Quantity.h"
 #include "solver/scene/SceneSchema.h"
+#include "solver/scene/SceneUnits.h"
 #include "solver/scene/SceneWriter.h"
 #include "solver/scene/TableReader.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 
 namespace vesicle
 {
@@ -120,10 +123,37 @@ Scene read_document(const SceneDocument& document)
   return scene;
 }
 
+SceneDocument parsed(const std::string& text, const std::string& name,
+  const std::filesystem::path& folder, const std::vector<std::string>& overrides)
+{
+  SceneDocument document = parse_document(text, name, folder, overrides);
+  convert_units(document);
+  return document;
+}
+
 SceneDocument document_of(
   const std::filesystem::path& file, const std::vector<std::string>& overrides)
 {
-  return parse_document(read_file(file), file.string(), file.parent_path(), overrides);
+  return parsed(read_file(file), file.string(), file.parent_path(), overrides);
+}
+
+/// The value of a key that is a number in SI, with a unit that people use; empty for others.
+std::string measured(const SceneKey& key, const Scene& scene)
+{
+  const Dimensions dimensions = dimensions_of(key.unit);
+  if (scene.units != Units::si || dimensions.size() != 1)
+    return {};
+  const std::string text = key.write(scene);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool is_number = error == std::errc() && end == text.data() + text.size();
+  return is_number ? quantity_text(value, dimensions.front()) : "";
+}
+
+std::vector<std::string> without_empty(std::vector<std::string> texts)
+{
+  std::erase(texts, "");
+  return texts;
 }
 
 /// A missing mesh is better said here, with the scene's line, than when it is read.
@@ -156,7 +186,7 @@ Scene read_scene(const std::filesystem::path& file, const std::vector<std::strin
 Scene parse_scene(const std::string& text, const std::string& name,
   const std::filesystem::path& folder, const std::vector<std::string>& overrides)
 {
-  return read_document(parse_document(text, name, folder, overrides));
+  return read_document(parsed(text, name, folder, overrides));
 }
 
 std::string annotated_scene(
@@ -166,12 +196,15 @@ std::string annotated_scene(
   std::vector<SceneDocument> of_vesicles;
   for (std::size_t v = 0; v < document.vesicles.size(); ++v)
     of_vesicles.push_back(document.of_vesicle(v));
+  const Scene scene = read_document(document);
   const auto remark = [&](const SceneTable& table, const SceneKey& key, std::size_t vesicle)
   {
-    const std::string origin = of_vesicles[vesicle].find(table.name, key.name) ? "" : "by default";
-    return origin.empty() || key.unit.empty() ? origin + key.unit : key.unit + "; " + origin;
+    const bool given = of_vesicles[vesicle].find(table.name, key.name);
+    return joined(
+      without_empty({ key.unit, measured(key, scene.alone(vesicle)), given ? "" : "by default" }),
+      "; ");
   };
-  return write_scene(read_document(document), remark);
+  return write_scene(scene, remark);
 }
 
 }

@@ -21,6 +21,11 @@ struct NamedChoice
 template<class Choice>
 NamedChoice(std::string_view, Choice) -> NamedChoice<Choice>; // clang 14 doesn't deduce it
 
+inline constexpr std::array units_names{
+  NamedChoice{ "any", Units::any },
+  NamedChoice{ "SI", Units::si },
+};
+
 inline constexpr std::array preset_names{
   NamedChoice{ "paper", Scene::Preset::paper },
   NamedChoice{ "fast", Scene::Preset::fast },

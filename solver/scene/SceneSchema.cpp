@@ -125,6 +125,10 @@ SceneTable top_table()
     key("name", at(&Scene::name), FileName{}, "", "of the folder and the files of a run")
       .otherwise("the scene's file's, without the ending")
       .followed_by(default_name),
+    key("units", at(&Scene::units), rules::Choice{ units_names }, "",
+      "of the numbers below; \"any\": one system of your choice; values may also have units each, "
+      "\"10 um\", \"20 kT\", and are SI then")
+      .written_if([](const Scene& scene) { return scene.units != Units::any; }),
   };
   return table;
 }
@@ -207,6 +211,15 @@ SceneTable fluid_table()
     key("viscosity_ratio", at(&Scene::fluid, &Scene::Fluid::viscosity_ratio),
       rules::Number{ not_negative }, "",
       "λ, of the fluid inside to that outside; other than 1 on Loop's surface only"),
+    key("temperature", at(&Scene::fluid, &Scene::Fluid::temperature), rules::Number{ positive },
+      "temperature", "of which kT is made, where values have units")
+      .written_if([](const Scene& scene) { return scene.units == Units::si; }),
+  };
+  table.check = [](const TableReader& reader, const Scene& scene)
+  {
+    if (scene.units == Units::any && reader.has("temperature"))
+      reader.fail("temperature", "does nothing where values have no units",
+        "it beside values with units, \"20 kT\"");
   };
   return table;
 }

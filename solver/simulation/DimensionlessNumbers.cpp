@@ -1,6 +1,7 @@
 #include "solver/simulation/DimensionlessNumbers.h"
 
 #include "solver/Errors.h"
+#include "solver/scene/MeasuredText.h"
 
 #include <fmt/format.h>
 
@@ -58,7 +59,7 @@ DimensionlessNumbers dimensionless_numbers(
   require_usable(scales.velocity(), "velocity unit EB/(μ r0²)");
   require_usable(scales.tension(), "tension unit EB/r0²");
   require_usable(scales.force_density(), "unit EB/r0³ of forces an area");
-  DimensionlessNumbers numbers{ scales.length, scales.time(), {}, {}, {} };
+  DimensionlessNumbers numbers{ scales.length, scales.time(), {}, {}, {}, scene.units };
   if (scene.membrane.bending_rigidity)
   {
     if (scene.gravity)
@@ -75,7 +76,8 @@ DimensionlessNumbers dimensionless_numbers(
 
 std::string to_text(const DimensionlessNumbers& n)
 {
-  std::string text = fmt::format("r0 = {:.4g}, time unit μ r0³/EB = {:.4g}", n.radius, n.time_unit);
+  std::string text = fmt::format("r0 = {}, time unit μ r0³/EB = {}",
+    measured_text(n.radius, "length", n.units), measured_text(n.time_unit, "time", n.units));
   if (n.bond)
     text += fmt::format(", Bo = {:.4g}", *n.bond);
   if (n.capillary)

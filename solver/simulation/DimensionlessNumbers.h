@@ -17,6 +17,7 @@ struct DimensionlessNumbers
   std::optional<double> bond;      ///< Bo = Δρ g r0⁴/EB; with gravity and bending
   std::optional<double> capillary; ///< Ca = μ rate r0³/EB; with a flow that deforms, and bending
   std::optional<double> duration;  ///< time.end in the system's own time, 1 over its fastest rate
+  Units units = Units::any;        ///< of the scene
 };
 
 /// Throws InputError where a scale is 0 or infinite in double precision, or bending is too weak
@@ -24,7 +25,7 @@ struct DimensionlessNumbers
 DimensionlessNumbers dimensionless_numbers(
   const Scene& scene, const Scales& scales, const System& system);
 
-/// One line: "r0 = 1e-05, time unit μ r0³/EB = 10, Ca = 1".
+/// One line: "r0 = 1e-05, time unit μ r0³/EB = 10, Ca = 1", in SI "r0 = 10 um, …".
 std::string to_text(const DimensionlessNumbers& numbers);
 
 /// What is probably not meant; empty: nothing.
