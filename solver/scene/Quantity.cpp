@@ -18,8 +18,8 @@ namespace vesicle
 namespace
 {
 
-constexpr double boltzmann = 1.380649e-23; // J/K, exact
-constexpr double ice_point = 273.15;       // K
+constexpr double boltzmann = 1.380649; // 1e-23 J/K, exact
+constexpr double ice_point = 273.15;   // K
 
 constexpr PhysicalDimension none{}, length{ 1 }, mass{ 0, 1 }, duration{ 0, 0, 1 },
   temperature_dimension{ 0, 0, 0, 1 }, rate{ 0, 0, -1 }, velocity{ 1, 0, -1 },
@@ -48,32 +48,46 @@ constexpr std::array words{ Named{ "length", length }, Named{ "area", { 2 } },
   Named{ "energy", energy }, Named{ "pressure", pressure },
   Named{ "temperature", temperature_dimension } };
 
+/// number × 10^decade in SI, kept apart so that "10 um" is the double nearest to 1e-5.
+struct Factor
+{
+  double number;
+  int decade;
+  PhysicalDimension dimension;
+};
+
 struct Unit
 {
   std::string_view name;
-  double value; ///< in SI
-  PhysicalDimension dimension;
+  Factor factor;
   bool takes_prefix;
 };
-constexpr std::array units{ Unit{ "m", 1, length, true }, Unit{ "g", 1e-3, mass, true },
-  Unit{ "s", 1, duration, true }, Unit{ "K", 1, temperature_dimension, true },
-  Unit{ "N", 1, force, true }, Unit{ "J", 1, energy, true }, Unit{ "Pa", 1, pressure, true },
-  Unit{ "Hz", 1, rate, true }, Unit{ "eV", 1.602176634e-19, energy, true },
-  Unit{ "P", .1, viscosity, true }, Unit{ "dyn", 1e-5, force, true },
-  Unit{ "erg", 1e-7, energy, false }, Unit{ "min", 60, duration, false },
-  Unit{ "h", 3600, duration, false }, Unit{ "angstrom", 1e-10, length, false } };
+constexpr std::array units{ Unit{ "m", { 1, 0, length }, true }, Unit{ "g", { 1, -3, mass }, true },
+  Unit{ "s", { 1, 0, duration }, true }, Unit{ "K", { 1, 0, temperature_dimension }, true },
+  Unit{ "N", { 1, 0, force }, true }, Unit{ "J", { 1, 0, energy }, true },
+  Unit{ "Pa", { 1, 0, pressure }, true }, Unit{ "Hz", { 1, 0, rate }, true },
+  Unit{ "eV", { 1.602176634, -19, energy }, true }, Unit{ "P", { 1, -1, viscosity }, true },
+  Unit{ "dyn", { 1, -5, force }, true }, Unit{ "erg", { 1, -7, energy }, false },
+  Unit{ "min", { 60, 0, duration }, false }, Unit{ "h", { 3600, 0, duration }, false },
+  Unit{ "angstrom", { 1, -10, length }, false } };
 
 struct Prefix
 {
   std::string_view letter;
-  double factor;
+  int decade;
   bool is_shown;
 };
 /// From the smallest on.
-constexpr std::array prefixes{ Prefix{ "f", 1e-15, true }, Prefix{ "p", 1e-12, true },
-  Prefix{ "n", 1e-9, true }, Prefix{ "u", 1e-6, true }, Prefix{ "m", 1e-3, true },
-  Prefix{ "c", 1e-2, false }, Prefix{ "d", 1e-1, false }, Prefix{ "", 1, true },
-  Prefix{ "k", 1e3, true }, Prefix{ "M", 1e6, true }, Prefix{ "G", 1e9, true } };
+constexpr std::array prefixes{ Prefix{ "a", -18, false }, Prefix{ "f", -15, true },
+  Prefix{ "p", -12, true }, Prefix{ "n", -9, true }, Prefix{ "u", -6, true },
+  Prefix{ "m", -3, true }, Prefix{ "c", -2, false }, Prefix{ "d", -1, false },
+  Prefix{ "", 0, true }, Prefix{ "k", 3, true }, Prefix{ "M", 6, true }, Prefix{ "G", 9, true } };
+
+/// Exact to rounding where the power of ten is a double.
+double times_power_of_ten(double value, int decade)
+{
+  return decade < 0 ? value / std::pow(10., -decade) : value * std::pow(10., decade);
+}
 
 /// What SI numbers are shown in: the unit, the factor to it, whether it takes prefixes.
 struct Shown
@@ -84,11 +98,11 @@ struct Shown
   const char* example;
 };
 constexpr std::array shown{ Shown{ length, "m", true, "10 um" },
-  Shown{ duration, "s", true, "10 s" }, Shown{ energy, "J", true, "20 kT" },
+  Shown{ duration, "s", true, "10 s" }, Shown{ energy, "J", false, "20 kT" },
   Shown{ viscosity, "Pa s", true, "1 mPa s" }, Shown{ velocity, "m/s", true, "10 um/s" },
-  Shown{ tension, "N/m", true, "1 uN/m" }, Shown{ rate, "1/s", false, "1 /s" },
+  Shown{ tension, "N/m", true, "1 uN/m" }, Shown{ rate, "/s", false, "1 /s" },
   Shown{ pressure, "Pa", true, "1 Pa" }, Shown{ force, "N", true, "1 pN" },
-  Shown{ acceleration, "m/s^2", false, "9.81 m/s^2" }, Shown{ curvature, "1/m", false, "1 /um" },
+  Shown{ acceleration, "m/s^2", false, "9.81 m/s^2" }, Shown{ curvature, "/m", false, "1 /um" },
   Shown{ density, "kg/m^3", false, "40 kg/m^3" },
   Shown{ surface_viscosity, "Pa s m", true, "5 nPa s m" },
   Shown{ temperature_dimension, "K", false, "298.15 K" } };
@@ -142,13 +156,14 @@ bool is_one_of(char c, std::string_view set)
   return set.find(c) != std::string_view::npos;
 }
 
-std::optional<Quantity> find_unit(std::string_view name)
+std::optional<Factor> find_unit(std::string_view name)
 {
   for (const Unit& unit : units)
     for (const Prefix& prefix : prefixes)
       if ((unit.takes_prefix || prefix.letter.empty()) && name.starts_with(prefix.letter) &&
         name.substr(prefix.letter.size()) == unit.name)
-        return Quantity{ prefix.factor * unit.value, unit.dimension };
+        return Factor{ unit.factor.number, unit.factor.decade + prefix.decade,
+          unit.factor.dimension };
   return std::nullopt;
 }
 
@@ -171,14 +186,15 @@ class Product
 public:
   Product(std::string_view text, const Meaning& meaning) : text_(text), meaning_(meaning) {}
 
-  Quantity evaluate()
+  Factor evaluate()
   {
-    Quantity product{ 1, none };
+    Factor product{ 1, 0, none };
     for (bool divided = skip_signs(); at_ < text_.size(); divided = skip_signs())
     {
-      const Quantity factor = meaning_(name());
+      const Factor factor = meaning_(name());
       const int power = (divided ? -1 : 1) * exponent();
-      product.value *= std::pow(factor.value, power);
+      product.number *= std::pow(factor.number, power);
+      product.decade += power * factor.decade;
       product.dimension = product.dimension + power * factor.dimension;
     }
     return product;
@@ -259,9 +275,9 @@ PhysicalDimension dimension_of(const std::string& part)
     const auto* word = std::find_if(
       words.begin(), words.end(), [&](const Named& candidate) { return candidate.name == name; });
     known = known && (word != words.end() || name == "1");
-    return Quantity{ 1, word == words.end() ? none : word->dimension };
+    return Factor{ 1, 0, word == words.end() ? none : word->dimension };
   };
-  const Quantity product = Product(in_plain_letters(part), meaning).evaluate();
+  const Factor product = Product(in_plain_letters(part), meaning).evaluate();
   return known ? product.dimension : none;
 }
 
@@ -293,16 +309,16 @@ Quantity parse_quantity(const std::string& text, double temperature)
   const auto meaning = [temperature](std::string_view name)
   {
     if (name == "1")
-      return Quantity{ 1, none };
+      return Factor{ 1, 0, none };
     if (name == "kT")
-      return Quantity{ boltzmann * temperature, energy };
+      return Factor{ boltzmann * temperature, -23, energy };
     const auto found = find_unit(name);
     if (!found)
       throw QuantityError(unknown_unit(std::string(name)));
     return *found;
   };
-  const Quantity one = Product(unit, meaning).evaluate();
-  return { value * one.value, one.dimension };
+  const Factor one = Product(unit, meaning).evaluate();
+  return { times_power_of_ten(value * one.number, one.decade), one.dimension };
 }
 
 bool is_like_a_quantity(const std::string& text)
@@ -316,16 +332,17 @@ std::string quantity_text(double value, const PhysicalDimension& dimension, int 
   const Shown* as = shown_as(dimension);
   if (!as)
     return fmt::format("{:.{}g}{}", value, digits, base_units(dimension));
-  Prefix prefix{ "", 1, true };
+  Prefix prefix{ "", 0, true };
   if (as->takes_prefix && value != 0)
   {
-    prefix = prefixes.front();
+    prefix = prefixes[1];
     for (const Prefix& candidate : prefixes)
       if (candidate.is_shown &&
-        std::abs(value) >= (1 - .5 * std::pow(10., -digits)) * candidate.factor)
+        times_power_of_ten(std::abs(value), -candidate.decade) >= 1 - .5 * std::pow(10., -digits))
         prefix = candidate;
   }
-  return fmt::format("{:.{}g} {}{}", value / prefix.factor, digits, prefix.letter, as->unit);
+  return fmt::format(
+    "{:.{}g} {}{}", times_power_of_ten(value, -prefix.decade), digits, prefix.letter, as->unit);
 }
 
 std::string si_unit(const PhysicalDimension& dimension)

@@ -112,15 +112,15 @@ private:
 };
 
 /// fluid.temperature, of which kT is made, in K.
-double temperature_of(SceneDocument& document)
+double temperature_of(SceneDocument document)
 {
-  double temperature = Scene::Fluid{}.temperature;
+  const double room = Scene::Fluid{}.temperature;
+  Converter converter(document, room);
   for (auto& entry : document.entries)
     if (entry.table == "fluid" && entry.key == "temperature")
-    {
-      Converter(document, temperature).convert(entry);
-      TableReader(document, "fluid").read("temperature", temperature, positive);
-    }
+      converter.convert(entry);
+  double temperature = room;
+  TableReader(document, "fluid").read("temperature", temperature, positive);
   return temperature;
 }
 

@@ -43,6 +43,7 @@ TEST(Quantity, IsReadIntoSi)
   const std::vector<Case> cases{
     { "10 um", 1e-5, length },
     { "10um", 1e-5, length },
+    { "100 aJ", 1e-16, energy },
     { "10 µm", 1e-5, length },
     { "10 μm", 1e-5, length },
     { "-.5e3 nm", -5e-7, length },
@@ -85,6 +86,16 @@ TEST(Quantity, IsReadIntoSi)
   }
 }
 
+// What people type is the double that they would have typed in SI.
+TEST(Quantity, IsTheNearestDouble)
+{
+  EXPECT_EQ(parse_quantity("10 um", room).value, 1e-5);
+  EXPECT_EQ(parse_quantity("1 mPa s", room).value, 1e-3);
+  EXPECT_EQ(parse_quantity("0.3 nm", room).value, .3e-9);
+  EXPECT_EQ(parse_quantity("7 um/ms", room).value, 7e-3);
+  EXPECT_EQ(parse_quantity("40 angstrom", room).value, 4e-9);
+}
+
 TEST(Quantity, SaysWhatIsntUnderstood)
 {
   EXPECT_EQ(error_of("10 umm"), "there is no unit \"umm\", did you mean um?");
@@ -107,6 +118,7 @@ TEST(Quantity, IsShownInAUnitThatPeopleUse)
   EXPECT_EQ(quantity_text(1e-3, { -1, 1, -1 }), "1 mPa s");
   EXPECT_EQ(quantity_text(2e-10, { 2 }), "2e-10 m^2");
   EXPECT_EQ(quantity_text(1e-20, { 1 }), "1e-05 fm");
+  EXPECT_EQ(quantity_text(1.03e-19, { 2, 1, -2 }), "1.03e-19 J");
   EXPECT_EQ(si_unit({ 1, 0, -1 }), "m/s");
   EXPECT_EQ(si_unit({ 3 }), "m^3");
 }

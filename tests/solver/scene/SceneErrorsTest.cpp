@@ -75,7 +75,8 @@ const std::vector<Case> cases{
     { "s.toml:3: key 'fluidd': unknown table, did you mean [fluid]?; allowed: name, [vesicle], "
       "[membrane]" } },
   { "unknown_top_key", "nmae = \"x\"\n" + with_sphere(""),
-    { "s.toml:1: key 'nmae': unknown key, did you mean 'name'?; allowed: name, [vesicle]" } },
+    { "s.toml:1: key 'nmae': unknown key, did you mean 'name'?; allowed: name, units, "
+      "[vesicle]" } },
   { "table_wanted", "flow = 3\n" + with_sphere(""),
     { "s.toml:1: key 'flow': must be a table, is the integer 3; allowed: [flow]" } },
   { "table_array", with_sphere("[[flow]]\nkind = \"shear\""),
