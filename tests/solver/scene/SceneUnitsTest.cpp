@@ -111,7 +111,8 @@ TEST(SceneUnits, WhatDoesntFitIsRefused)
     "--set vesicle.radius=10 umm: key 'vesicle.radius': there is no unit \"umm\", did you mean "
     "um?; allowed: \"10 um\" or the like");
   EXPECT_EQ(error_of(with_units, { "time.end=10" }),
-    "--set time.end=10: key 'time.end': has no unit, and 'vesicle.radius' has one; allowed: \"10 "
+    "--set time.end=10: key 'time.end': has no unit, and 'membrane.bending_rigidity' has one; "
+    "allowed: \"10 "
     "s\" or the like, or units = \"SI\" at the top for plain numbers in SI");
   EXPECT_EQ(error_of(with_units, { "time.end=\"10\"" }),
     "--set time.end=\"10\": key 'time.end': \"10\" measures something else; allowed: \"10 s\" or "
