@@ -166,7 +166,7 @@ vtkSmartPointer<vtkUnstructuredGrid> to_unstructured_grid(vtkPolyData* surface)
   return grid;
 }
 
-vtkSmartPointer<vtkPolyData> membrane_of(vtkPolyData* input, const std::string& name)
+vtkSmartPointer<vtkPolyData> membrane_of(vtkDataObject* input, const std::string& name)
 {
   auto surface = without_ghosts(triangulated(input, name));
   if (surface->GetNumberOfPolys() == 0 || uses_all_points(surface))

@@ -12,6 +12,7 @@
 #include <string>
 
 class vtkCellArray;
+class vtkCompositeDataSet;
 class vtkDataObject;
 class vtkDoubleArray;
 class vtkPoints;
@@ -51,8 +52,8 @@ VESICLEFILTERS_EXPORT vtkSmartPointer<vtkUnstructuredGrid> to_unstructured_grid(
 VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> triangulated(
   vtkPolyData* surface, const std::string& name = "input");
 
-/// Of a vtkPolyData or of a vtkUnstructuredGrid on its own points; an InputError for other data and
-/// for cells that aren't flat polygons.
+/// Of a vtkPolyData or of a vtkUnstructuredGrid on its own points, or of blocks of them (joined());
+/// an InputError for other data and for cells that aren't flat polygons.
 VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> triangulated(
   vtkDataObject* surface, const std::string& name);
 
@@ -71,9 +72,15 @@ VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> without_ghosts(vtkPolyData* t
 /// first; triangles that lose a corner by that are left out.
 VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> merged(vtkPolyData* triangles, double distance);
 
+/// The surfaces of all blocks, without ghosts, as one: what is a piece of a surface in another block
+/// goes on there, as points at the same place become one. It has the point arrays that all blocks
+/// have, and the field data of the first.
+VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> joined(
+  vtkCompositeDataSet* blocks, const std::string& name);
+
 /// Triangles as triangulated() makes them, without ghosts, and the points that they use, with all
 /// arrays.
 VESICLEFILTERS_EXPORT vtkSmartPointer<vtkPolyData> membrane_of(
-  vtkPolyData* surface, const std::string& name = "input");
+  vtkDataObject* surface, const std::string& name = "input");
 
 }

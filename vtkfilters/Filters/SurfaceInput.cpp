@@ -10,6 +10,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
@@ -414,6 +415,8 @@ vtkSmartPointer<vtkPolyData> triangulated(vtkDataObject* surface, const std::str
     return as_triangles(polydata, name);
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(surface))
     return as_triangles(grid, name);
+  if (auto* blocks = vtkCompositeDataSet::SafeDownCast(surface))
+    return joined(blocks, name);
   throw InputError(name + ": holds no surface; a mesh of triangles is needed");
 }
 

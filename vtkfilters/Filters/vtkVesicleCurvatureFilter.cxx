@@ -2,6 +2,7 @@
 
 #include "CurvatureArrays.h"
 #include "MeshConversion.h"
+#include "SurfacePorts.h"
 
 #include "solver/ProgressCallback.h"
 #include "solver/mesh/BodyOrientation.h"
@@ -13,6 +14,8 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -55,6 +58,12 @@ std::string facing_text(const vesicle::BodyOrientation& orientation)
 
 constexpr const char* scheme_names[] = { "fit", "cotan", "loop" };
 
+/// Of triangles around a vertex that its curvature is fitted to; the Laplacian is fitted to curvatures
+/// of as many.
+constexpr double least_rings = 2;
+/// More are asked for as "all there are".
+constexpr double most_rings = 1000;
+
 /// Thrown where AbortExecute was seen.
 struct Aborted
 {
@@ -82,10 +91,32 @@ const char* vtkVesicleCurvatureFilter::GetSchemeName()
   return scheme_names[this->Scheme];
 }
 
+int vtkVesicleCurvatureFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  vesicle::take_surfaces(info);
+  return 1;
+}
+
+int vtkVesicleCurvatureFilter::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  this->Superclass::RequestUpdateExtent(request, inputs, outputs);
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* input = inputs[0]->GetInformationObject(0);
+  if (input->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1)
+  {
+    const int rings =
+      static_cast<int>(std::ceil(std::clamp(this->FitRings, least_rings, most_rings)));
+    input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(),
+      2 * rings + input->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()));
+  }
+  return 1;
+}
+
 int vtkVesicleCurvatureFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   const vesicle::ProgressCallback progress = [this](double share)
   {
@@ -98,7 +129,7 @@ int vtkVesicleCurvatureFilter::RequestData(
   constexpr double read = 0.05, checked = 0.15, computed = 0.95;
   try
   {
-    output->ShallowCopy(vesicle::triangulated(input));
+    output->ShallowCopy(vesicle::triangulated(input, "input"));
     progress(read);
     if (output->GetNumberOfPolys() == 0)
     {

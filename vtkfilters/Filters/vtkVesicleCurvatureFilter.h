@@ -2,8 +2,10 @@
  * @class   vtkVesicleCurvatureFilter
  * @brief   curvatures, their Laplacian and the bending force of a triangle mesh
  *
- * Adds these point arrays to any surface mesh, open or closed (polygons and strips are cut into
- * triangles first; vertices and lines are dropped; all other arrays pass through):
+ * Adds these point arrays to any surface mesh, open or closed, a vtkPolyData or vtkUnstructuredGrid
+ * (polygons and strips are cut into triangles first; vertices and lines are dropped; all other
+ * arrays pass through). Of composite data each block is a surface of its own. A piece of a surface asks
+ * for as many ghost cells as its curvatures need (with FitRadius, for those of two rings):
  *
  * - Mean_Curvature H and Gauss_Curvature K; with PrincipalCurvatures, or CurvatureType Maximum or
  * Minimum, also Maximum_Curvature and Minimum_Curvature, κ1 ≥ κ2 = H ± √(H² − K). Names,
@@ -204,6 +206,8 @@ public:
 protected:
   vtkVesicleCurvatureFilter() = default;
   ~vtkVesicleCurvatureFilter() override = default;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int CurvatureType = VTK_CURVATURE_GAUSS;

@@ -2,6 +2,7 @@
 
 #include "MeshConversion.h"
 #include "SceneNumbers.h"
+#include "SurfacePorts.h"
 #include "VelocityFieldFile.h"
 
 #include "solver/Joined.h"
@@ -126,11 +127,28 @@ void solve(const vesicle::Scene& scene, Simulation& simulation, const Vesicles& 
 
 vtkStandardNewMacro(vtkVesicleForceFilter);
 
+int vtkVesicleForceFilter::FillInputPortInformation(int, vtkInformation* info)
+{
+  vesicle::take_surfaces_together(info);
+  return 1;
+}
+
+int vtkVesicleForceFilter::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
+{
+  vesicle::request_whole(inputs[0]);
+  return 1;
+}
+
 int vtkVesicleForceFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputs[0]);
+  vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputs);
+  if (!vesicle::is_first_piece(outputs))
+  {
+    return 1;
+  }
   try
   {
     output->ShallowCopy(vesicle::membrane_of(input));

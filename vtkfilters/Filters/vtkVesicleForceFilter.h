@@ -7,11 +7,12 @@
  * time passes, and nothing depends on a time step.
  *
  * Input: a closed surface of genus 0, or several of them apart from each other, each a vesicle with the
- * same properties: those of the point array Vesicle_Id, or what is connected. Polygons and strips are cut into triangles;
+ * same properties, as vtkPolyData, vtkUnstructuredGrid or blocks of them, which are joined: those of the point array Vesicle_Id, or what is connected. Polygons and strips are cut into triangles;
  * vertices, lines and points that no polygon uses are dropped; triangles that face inward are
  * turned, with a warning. What isn't such a surface (holes, handles, points that
  * should be one) is refused with an error that names the place and a remedy. All other arrays pass
- * through; empty input gives empty output.
+ * through; empty input gives empty output. Where pieces are asked for, the first is the whole, others
+ * are empty.
  *
  * Curvatures and bending force come from local fits (vtkVesicleCurvatureFilter's scheme Fit), which
  * converge on irregular meshes too; BendingForceToDynamics takes those of the Preset instead, as a
@@ -75,6 +76,8 @@ public:
 protected:
   vtkVesicleForceFilter() = default;
   ~vtkVesicleForceFilter() override = default;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int BendingForce = Fitted;

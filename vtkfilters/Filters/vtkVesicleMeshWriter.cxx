@@ -2,6 +2,7 @@
 
 #include "MeshConversion.h"
 #include "MeshFiles.h"
+#include "SurfacePorts.h"
 
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
@@ -20,7 +21,7 @@ vtkVesicleMeshWriter::~vtkVesicleMeshWriter()
 
 int vtkVesicleMeshWriter::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  vesicle::take_surfaces_together(info);
   return 1;
 }
 
@@ -35,8 +36,8 @@ void vtkVesicleMeshWriter::WriteData()
   }
   try
   {
-    const std::string lost = vesicle::write_mesh(
-      vesicle::triangulated(vtkPolyData::SafeDownCast(this->GetInput())), this->FileName);
+    const std::string lost =
+      vesicle::write_mesh(vesicle::triangulated(this->GetInput(), "input"), this->FileName);
     if (!lost.empty())
     {
       vtkWarningMacro(<< lost);

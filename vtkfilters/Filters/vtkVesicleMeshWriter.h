@@ -2,7 +2,7 @@
  * @class   vtkVesicleMeshWriter
  * @brief   triangle meshes to .vtu .vtp .vtk .stl .ply .obj and .off files
  *
- * Writes the surface of a vtkPolyData as triangles (polygons and strips are cut, vertices and lines
+ * Writes a surface (vtkPolyData, vtkUnstructuredGrid, or blocks of them, joined) as triangles (polygons and strips are cut, vertices and lines
  * dropped); .vtu, .vtp and .vtk keep the arrays, .ply the numbers of points and triangles, .obj the
  * normals. Coordinates are kept to the last bit but for .stl, which holds single precision. What the
  * format can't hold is named in a warning. The file appears when it is complete. What can't be

@@ -3,6 +3,7 @@
 #include "ArrayLabels.h"
 #include "MeshConversion.h"
 #include "SceneNumbers.h"
+#include "SurfacePorts.h"
 
 #include "solver/Errors.h"
 #include "solver/mesh/Preparation.h"
@@ -240,8 +241,7 @@ int vtkVesicleProbeFilter::FillInputPortInformation(int port, vtkInformation* in
   this->Superclass::FillInputPortInformation(port, info);
   if (port == 1)
   {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
-    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+    vesicle::take_surfaces_together(info);
   }
   return 1;
 }
@@ -259,11 +259,7 @@ int vtkVesicleProbeFilter::RequestInformation(
 int vtkVesicleProbeFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  // Whatever piece is asked for feels the whole vesicle.
-  vtkInformation* source = inputs[1]->GetInformationObject(0);
-  source->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-  source->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-  source->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  vesicle::request_whole(inputs[1]);
   return 1;
 }
 
@@ -273,6 +269,11 @@ int vtkVesicleProbeFilter::RequestData(
   vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
   vtkDataObject* source = vtkDataObject::GetData(inputs[1]);
   vtkDataSet* output = vtkDataSet::GetData(outputs);
+  if (!input || !output)
+  {
+    vtkErrorMacro(<< "the input has no points: a block of it is no data set");
+    return 0;
+  }
   output->CopyStructure(input);
   output->GetPointData()->PassData(input->GetPointData());
   output->GetCellData()->PassData(input->GetCellData());

@@ -1,6 +1,8 @@
 #include "vtkVesicleSeriesWriter.h"
 
+#include "MeshConversion.h"
 #include "SeriesWriter.h"
+#include "SurfacePorts.h"
 
 #include "solver/Errors.h"
 
@@ -19,7 +21,7 @@ vtkStandardNewMacro(vtkVesicleSeriesWriter);
 namespace
 {
 
-double time_of(vtkPolyData* surface)
+double time_of(vtkDataObject* surface)
 {
   vtkDataArray* value = surface->GetFieldData()->GetArray("TimeValue");
   if (value && value->GetNumberOfTuples() == 1)
@@ -55,7 +57,7 @@ void vtkVesicleSeriesWriter::SetFileName(const char* name)
 
 int vtkVesicleSeriesWriter::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  vesicle::take_surfaces_together(info);
   return 1;
 }
 
@@ -74,8 +76,8 @@ void vtkVesicleSeriesWriter::WriteData()
     {
       this->Series = series_in(this->FileName);
     }
-    vtkPolyData* surface = vtkPolyData::SafeDownCast(this->GetInput());
-    this->Series->append(surface, time_of(surface));
+    const auto surface = vesicle::triangulated(this->GetInput(), "input");
+    this->Series->append(surface, time_of(this->GetInput()));
   }
   catch (const std::exception& error)
   {

@@ -3,6 +3,7 @@
 #include "MeshConversion.h"
 #include "SceneMesh.h"
 #include "SceneNumbers.h"
+#include "SurfacePorts.h"
 #include "VelocityFieldFile.h"
 
 #include "solver/Doing.h"
@@ -15,6 +16,7 @@
 #include "solver/state/RunRows.h"
 
 #include "vtkCellData.h"
+#include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -248,7 +250,7 @@ struct vtkVesicleStepper::Internals
     vesicle::add_medium(this->CurrentScene, moment.time, to);
   }
 
-  void Deliver(const Moment& moment, vtkPolyData* start, vtkPolyData* output)
+  void Deliver(const Moment& moment, vtkDataObject* start, vtkPolyData* output)
   {
     if (start)
     {
@@ -418,6 +420,7 @@ const std::vector<Diagnostics>& vtkVesicleStepper::GetAllDiagnostics() const
 int vtkVesicleStepper::FillInputPortInformation(int port, vtkInformation* info)
 {
   this->Superclass::FillInputPortInformation(port, info);
+  vesicle::take_surfaces_together(info);
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
@@ -514,7 +517,7 @@ void vtkVesicleStepper::ReadScene()
   internal.SceneTime = internal.Changed;
 }
 
-void vtkVesicleStepper::Prepare(vtkPolyData* start)
+void vtkVesicleStepper::Prepare(vtkDataObject* start)
 {
   auto& internal = *this->Internal;
   this->ReadScene();
@@ -546,6 +549,7 @@ void vtkVesicleStepper::Prepare(vtkPolyData* start)
 int vtkVesicleStepper::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
+  vesicle::request_whole(inputs[0]);
   // The time that is asked for is this simulation's, not the start shape's.
   if (vtkInformation* input = inputs[0]->GetInformationObject(0))
   {
@@ -618,9 +622,13 @@ int vtkVesicleStepper::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   vtkInformation* info = outputs->GetInformationObject(0);
   auto& internal = *this->Internal;
-  vtkPolyData* start = vtkPolyData::GetData(inputs[0]);
+  vtkDataObject* start = vtkDataObject::GetData(inputs[0]);
   this->ForgetFailure();
-  if (start && start->GetNumberOfCells() == 0)
+  if (!vesicle::is_first_piece(outputs))
+  {
+    return 1;
+  }
+  if (auto* surface = vtkDataSet::SafeDownCast(start); surface && surface->GetNumberOfCells() == 0)
   {
     vtkWarningMacro(<< "the start shape is empty: there is nothing to simulate");
     return 1;

@@ -11,8 +11,9 @@
  * input, as it is (in the units of the scene; at its first time, if it has several), or else what
  * the scene's [vesicle] table says; with properties alone an input is needed. It must be a closed
  * surface of genus 0, or of as many of them as the scene has vesicles, in the order of their first
- * triangles (with properties alone each is a vesicle); polygons and strips are cut into triangles; an
- * empty one gives empty output.
+ * triangles (with properties alone each is a vesicle), as vtkPolyData, vtkUnstructuredGrid or blocks of
+ * them, which are joined; polygons and strips are cut into triangles; an empty one gives empty output.
+ * Where pieces are asked for, the first is the whole, others are empty.
  * Arrays of the input pass through, and stay with the mesh's points and triangles (which slide
  * along the membrane, unless accuracy.mesh_motion is "material").
  *
@@ -243,7 +244,7 @@ private:
   void SettingsChanged();
   vesicle::Scene SceneOfProperties();
   void ReadScene();
-  void Prepare(vtkPolyData* start);
+  void Prepare(vtkDataObject* start);
   void AdvanceTo(double time);
   void ShareProgress(double from, double to);
 
