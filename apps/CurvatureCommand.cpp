@@ -144,8 +144,7 @@ void add_curvature_command(CLI::App& app, Action& action)
   auto options = std::make_shared<CurvatureOptions>();
   auto* command =
     app.add_subcommand("curvature", "Curvatures and bending force of any triangle mesh");
-  command->add_option("mesh", options->mesh, "Mesh (.vtu .vtp .vtk .stl .ply .obj .off)")
-    ->required();
+  command->add_option("mesh", options->mesh, fmt::format("Mesh ({})", mesh_endings))->required();
   command->add_option(
     "-o,--output", options->output, "File to write; .vtu, .vtp, .vtk and .ply hold arrays");
   command->add_option("--scheme", options->scheme, "How curvatures are found")

@@ -100,7 +100,7 @@ void add_info_command(CLI::App& app, Action& action)
     "info", "Area, volume, reduced volume, energy and quality of a mesh; how far a run has come");
   command
     ->add_option("mesh", options->file,
-      "Mesh (.vtu .vtp .vtk .stl .ply .obj .off), series (.pvd .vtu.series) or folder of a run")
+      fmt::format("Mesh ({}), series (.pvd .vtu.series) or folder of a run", mesh_endings))
     ->required();
   command->add_option("--merge", options->merge, "Points nearer than this distance count as one")
     ->check(CLI::PositiveNumber);

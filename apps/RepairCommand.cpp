@@ -101,8 +101,7 @@ void add_repair_command(CLI::App& app, Action& action)
   RepairSettings& settings = options->settings;
   auto* command = app.add_subcommand(
     "repair", "Make a segmentation or a scan a clean, closed mesh, and say what was done");
-  command->add_option("mesh", options->mesh, "Mesh (.vtu .vtp .vtk .stl .ply .obj .off)")
-    ->required();
+  command->add_option("mesh", options->mesh, fmt::format("Mesh ({})", mesh_endings))->required();
   command->add_option("-o,--output", options->output, "File to write")->required();
   command
     ->add_option("--merge", options->merge,

@@ -6,6 +6,7 @@
 #include "solver/Errors.h"
 #include "solver/mesh/Preparation.h"
 #include "solver/mesh/Triangulation.h"
+#include "solver/mesh/io/GmshFile.h"
 #include "solver/mesh/io/LegacyVtkFile.h"
 #include "solver/mesh/io/ObjFile.h"
 #include "solver/mesh/io/OffFile.h"
@@ -19,8 +20,8 @@ namespace vesicle::fuzz
 namespace
 {
 
-constexpr decltype(&read_off) readers[] = { read_off, read_obj, read_ply, read_stl,
-  read_legacy_vtk };
+constexpr decltype(&read_off) readers[] = { read_off, read_obj, read_ply, read_stl, read_legacy_vtk,
+  read_gmsh };
 
 TriangleMesh mesh_of(const SurfaceFile& file)
 {

@@ -6,6 +6,7 @@
 
 #include "solver/Errors.h"
 #include "solver/files/FileBytes.h"
+#include "solver/mesh/io/GmshFile.h"
 #include "solver/mesh/io/LegacyVtkFile.h"
 #include "solver/mesh/io/ObjFile.h"
 #include "solver/mesh/io/OffFile.h"
@@ -286,6 +287,12 @@ std::string write_off(vtkPolyData* surface, const path& file)
   return loss(file, all_names(surface), keeps_all);
 }
 
+std::string write_msh(vtkPolyData* surface, const path& file)
+{
+  replace_file(file, gmsh_text(to_mesh(surface)));
+  return loss(file, all_names(surface), keeps_all);
+}
+
 std::string write_grid(vtkPolyData* surface, const path& file)
 {
   return write_xml<vtkXMLUnstructuredGridWriter>(to_unstructured_grid(surface), file);
@@ -315,6 +322,7 @@ const std::map<std::string, Format>& formats()
     { ".ply", { read_by<read_ply>, write_ply } },
     { ".obj", { read_by<read_obj>, write_obj } },
     { ".off", { read_by<read_off>, write_off } },
+    { ".msh", { read_by<read_gmsh>, write_msh } },
   };
   return known;
 }
@@ -324,9 +332,8 @@ const Format& format_of(const path& file)
   const auto found = formats().find(ending(file));
   if (found == formats().end())
   {
-    throw InputError(
-      fmt::format("{}: meshes end in .vtu .vtp .vtk .stl .ply .obj or .off, not in '{}'",
-        file.string(), file.extension().string()));
+    throw InputError(fmt::format(
+      "{}: meshes end in {}, not in '{}'", file.string(), mesh_endings, file.extension().string()));
   }
   return found->second;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Surface meshes from and to files: .vtu .vtp .vtk .stl .ply .obj .off.
+// Surface meshes from and to files: as mesh_endings lists them.
 
 #include "VesicleFiltersModule.h"
 
@@ -13,7 +13,9 @@ class vtkPolyData;
 namespace vesicle
 {
 
-/// Reads a surface and its arrays (of .off and .stl the points and faces alone, of .obj the points' colours), also
+inline constexpr const char* mesh_endings = ".vtu .vtp .vtk .stl .ply .obj .off .msh";
+
+/// Reads a surface and its arrays (of .off, .stl and .msh the points and faces alone, of .obj the points' colours), also
 /// .pvtu and .pvtp; polygons and strips come out as triangles, corners of an .stl file at the same
 /// place as one point. Points keep the file's precision. Throws InputError naming the file, what is
 /// wrong and a remedy, also for a file that ends early.

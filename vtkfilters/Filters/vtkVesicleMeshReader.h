@@ -1,8 +1,8 @@
 /**
  * @class   vtkVesicleMeshReader
- * @brief   surface meshes from .vtu .vtp .vtk .stl .ply .obj and .off files
+ * @brief   surface meshes from .vtu .vtp .vtk .stl .ply .obj .off and .msh files
  *
- * Reads a surface and its arrays (of .obj and .off the points and faces alone). Polygons and strips
+ * Reads a surface and its arrays (of .obj, .off and .msh the points and faces alone). Polygons and strips
  * come out as triangles; points that an .stl file repeats are merged. A file that is missing,
  * broken or holds no surface fails the update with an error that names it and says what to do.
  */

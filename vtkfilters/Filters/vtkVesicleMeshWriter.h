@@ -1,6 +1,6 @@
 /**
  * @class   vtkVesicleMeshWriter
- * @brief   triangle meshes to .vtu .vtp .vtk .stl .ply .obj and .off files
+ * @brief   triangle meshes to .vtu .vtp .vtk .stl .ply .obj .off and .msh files
  *
  * Writes a surface (vtkPolyData, vtkUnstructuredGrid, or blocks of them, joined) as triangles (polygons and strips are cut, vertices and lines
  * dropped); .vtu, .vtp and .vtk keep the arrays, .ply the numbers of points and triangles, .obj the

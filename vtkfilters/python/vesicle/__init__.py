@@ -7,7 +7,7 @@ A few functions make scripts short:
     open_run(folder)            the same of what `vesicle run` left in a folder
     update(algorithm, time)     brings an algorithm up to date; errors become exceptions; numpy arrays
     times(algorithm)            the times that it offers
-    read_mesh, write_mesh       .vtu .vtp .vtk .stl .ply .obj .off
+    read_mesh, write_mesh       .vtu .vtp .vtk .stl .ply .obj .off .msh
     make_mesh, triangles        a mesh from numpy arrays, and its triangles as one
 
 All that fails raises vesicle.Error. Numbers are in the units of the scene, or of the mesh.

@@ -21,7 +21,7 @@ def polydata_of(surface: typing.Any) -> vtkPolyData:
 
 
 def read_mesh(file: str | os.PathLike[str]) -> vtkPolyData:
-    """The surface in a .vtu .vtp .vtk .stl .ply .obj or .off file, as triangles: a vtkPolyData.
+    """The surface in a .vtu .vtp .vtk .stl .ply .obj .off or .msh file, as triangles: a vtkPolyData.
     Raises vesicle.Error."""
     reader = vtkVesicleMeshReader()
     reader.SetFileName(os.fspath(file))

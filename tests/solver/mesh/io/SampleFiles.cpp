@@ -2,6 +2,7 @@
 
 #include "solver/Errors.h"
 #include "solver/mesh/Triangulation.h"
+#include "solver/mesh/io/GmshFile.h"
 #include "solver/mesh/io/LegacyVtkFile.h"
 #include "solver/mesh/io/ObjFile.h"
 #include "solver/mesh/io/OffFile.h"
@@ -227,6 +228,7 @@ std::vector<SampleFile> sample_files()
   const std::string fields = "CELL_DATA 8\nSCALARS side float 1\nLOOKUP_TABLE default\n"
                              "0 1 2 3 4 5 6 7\nPOINT_DATA 12\nFIELD FieldData 1\n"
                              "height 1 12 double\n0 0 0 0 0 0 1 1 1 1 1 1\n";
+  const auto gmsh = [&](const GmshKind& kind) { return gmsh_sample(points, triangles, kind); };
   return { { "mesh.off", read_off, off_sample(points, faces) },
     { "colours.off", read_off, off_sample(points, faces, "COFF", " 255 0 0 255") },
     { "mesh.obj", read_obj, obj_sample(points, faces) },
@@ -237,7 +239,142 @@ std::vector<SampleFile> sample_files()
     { "binary.stl", read_stl, binary_stl_sample(points, triangles) },
     { "mesh.vtk", read_legacy_vtk, vtk_sample(points, faces, fields) },
     { "binary.vtk", read_legacy_vtk, binary_vtk_sample(points, faces, false) },
-    { "offsets.vtk", read_legacy_vtk, binary_vtk_sample(points, faces, true) } };
+    { "offsets.vtk", read_legacy_vtk, binary_vtk_sample(points, faces, true) },
+    { "version2.msh", read_gmsh, gmsh({ false, false }) },
+    { "binary2.msh", read_gmsh, gmsh({ false, true, std::endian::little }) },
+    { "version4.msh", read_gmsh, gmsh({ true, false }) },
+    { "binary4.msh", read_gmsh, gmsh({ true, true, std::endian::big }) } };
+}
+
+namespace
+{
+
+/// Numbers as text, or as bytes of the width that gmsh gives them.
+class GmshNumbers
+{
+public:
+  explicit GmshNumbers(const GmshKind& kind) : kind_(kind) {}
+
+  GmshNumbers& integer(std::int64_t value)
+  {
+    return put(static_cast<std::int32_t>(value), std::to_string(value));
+  }
+  GmshNumbers& size(std::int64_t value)
+  {
+    return kind_.version_4 ? put(value, std::to_string(value)) : integer(value);
+  }
+  GmshNumbers& real(double value) { return put(value, number(value)); }
+  GmshNumbers& line()
+  {
+    text_ += kind_.binary ? "" : "\n";
+    return *this;
+  }
+  GmshNumbers& words(const std::string& text)
+  {
+    text_ += text;
+    return *this;
+  }
+  const std::string& text() const { return text_; }
+
+private:
+  template<typename T>
+  GmshNumbers& put(T value, const std::string& text)
+  {
+    if (kind_.binary)
+      append(text_, value, kind_.order);
+    else
+      text_ += text + ' ';
+    return *this;
+  }
+
+  GmshKind kind_;
+  std::string text_;
+};
+
+struct GmshElements
+{
+  int type;
+  Faces nodes; ///< tags
+};
+
+void write_nodes(GmshNumbers& to, const Points& points, bool version_4)
+{
+  const std::int64_t count = points.rows() + 1; // with the centre of an arc, tag 1
+  if (version_4)
+  {
+    to.size(2).size(count).size(1).size(10 + points.rows()).line();
+    to.integer(0).integer(1).integer(0).size(1).line();
+    to.size(1).line().real(100).real(100).real(100).line();
+    to.integer(2).integer(7).integer(1).size(points.rows()).line(); // with parameters
+    for (Eigen::Index i = 0; i < points.rows(); ++i)
+      to.size(10 + i).line();
+  }
+  else
+  {
+    to.words(std::to_string(count) + '\n');
+    to.integer(1).real(100).real(100).real(100).line();
+  }
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+  {
+    if (!version_4)
+      to.integer(10 + i);
+    for (int k = 0; k < 3; ++k)
+      to.real(points(i, k));
+    if (version_4)
+      to.real(.25).real(.5);
+    to.line();
+  }
+}
+
+void write_elements(GmshNumbers& to, const std::vector<GmshElements>& blocks, const GmshKind& kind)
+{
+  std::int64_t count = 0, tag = 0;
+  for (const auto& block : blocks)
+    count += static_cast<std::int64_t>(block.nodes.size());
+  if (kind.version_4)
+    to.size(static_cast<std::int64_t>(blocks.size())).size(count).size(1).size(count).line();
+  else
+    to.words(std::to_string(count) + '\n');
+  for (const auto& [type, elements] : blocks)
+  {
+    const auto size = static_cast<std::int64_t>(elements.size());
+    if (kind.version_4)
+      to.integer(2).integer(7).integer(type).size(size).line();
+    else if (kind.binary)
+      to.integer(type).integer(size).integer(2);
+    for (const auto& nodes : elements)
+    {
+      to.size(++tag);
+      if (!kind.version_4 && !kind.binary)
+        to.integer(type).integer(2);
+      if (!kind.version_4)
+        to.integer(1).integer(7);
+      for (const auto node : nodes)
+        to.size(node);
+      to.line();
+    }
+  }
+}
+
+}
+
+std::string gmsh_sample(const Points& points, const Faces& triangles, const GmshKind& kind)
+{
+  Faces tags = triangles;
+  for (auto& triangle : tags)
+    for (auto& node : triangle)
+      node += 10;
+  GmshNumbers to(kind);
+  to.words(kind.version_4 ? "$MeshFormat\n4.1 " : "$MeshFormat\n2.2 ");
+  to.words(kind.binary ? "1 8\n" : "0 8\n");
+  if (kind.binary)
+    to.integer(1).words("\n");
+  to.words("$EndMeshFormat\n$PhysicalNames\n1\n2 1 \"skin\"\n$EndPhysicalNames\n$Nodes\n");
+  write_nodes(to, points, kind.version_4);
+  to.words("\n$EndNodes\n$Elements\n");
+  write_elements(to,
+    { { 15, { { 1 } } }, { 1, { { 10, 11 } } }, { 2, tags }, { 4, { { 10, 11, 12, 1 } } } }, kind);
+  return to.words("\n$EndElements\n").text();
 }
 
 TriangleMesh mesh_of(const SurfaceFile& file, const std::string& name)

@@ -33,6 +33,15 @@ std::string vtk_sample(const Points& points, const Faces& faces, const std::stri
 /// Version 3, or with offsets version 5.1.
 std::string binary_vtk_sample(const Points& points, const Faces& faces, bool offsets);
 
+/// Of triangles, as gmsh 4 writes them: beside them a point's and a line's element, a tetrahedron, and
+/// the centre of an arc among the nodes, whose tags have gaps.
+struct GmshKind
+{
+  bool version_4, binary;
+  std::endian order = std::endian::native;
+};
+std::string gmsh_sample(const Points& points, const Faces& triangles, const GmshKind& kind);
+
 using Reader = std::function<SurfaceFile(std::string_view, const std::string&)>;
 
 /// One file of each kind and what reads it.
