@@ -6,6 +6,7 @@
 #include "render/SurfaceMeasures.h"
 #include "render/View.h"
 #include "solver/Errors.h"
+#include "solver/files/Base64.h"
 #include "solver/files/FileBytes.h"
 #include "vtkfilters/Filters/MeshConversion.h"
 
@@ -24,6 +25,7 @@
 #include <cstdio>
 #include <fstream>
 #include <map>
+#include <span>
 #include <sstream>
 
 namespace vesicle
@@ -46,21 +48,7 @@ constexpr int ticks = 6;
 template<class T>
 std::string base64(const std::vector<T>& values)
 {
-  constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  const auto* bytes = reinterpret_cast<const unsigned char*>(values.data());
-  const std::size_t size = values.size() * sizeof(T);
-  std::string text;
-  text.reserve((size + 2) / 3 * 4);
-  for (std::size_t i = 0; i < size; i += 3)
-  {
-    const auto byte = [&](std::size_t k) { return i + k < size ? unsigned{ bytes[i + k] } : 0u; };
-    const unsigned group = byte(0) << 16 | byte(1) << 8 | byte(2);
-    for (std::size_t k = 0; k < 4; ++k)
-    {
-      text += i + k <= size ? digits[group >> (18 - 6 * k) & 63] : '=';
-    }
-  }
-  return text;
+  return vesicle::base64(std::as_bytes(std::span(values)));
 }
 
 std::string formatted(const std::string& format, double value)

@@ -7,15 +7,21 @@
 #include "apps/RunMovie.h"
 #include "apps/RunPlots.h"
 
+#include "render/Model.h"
 #include "render/Montage.h"
 #include "render/Movie.h"
 #include "render/SceneGuides.h"
+#include "render/SmoothSurface.h"
+#include "render/SurfaceMeasures.h"
 #include "solver/Errors.h"
+#include "solver/files/FileBytes.h"
 #include "solver/scene/SceneNames.h"
+#include "vtkfilters/Filters/MeshConversion.h"
 #include "vtkfilters/Filters/MeshFiles.h"
 #include "vtkfilters/Filters/SeriesFile.h"
 #include "vtkfilters/Filters/VtkMessages.h"
 
+#include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -43,6 +49,7 @@ struct RenderOptions
   std::string mp4;
   std::string montage;
   std::string html;
+  std::string model;
   int panels = 3;
   std::vector<double> times; ///< of the montage
   std::vector<double> range;
@@ -254,6 +261,72 @@ void write_page(const RenderOptions& options, const Subject& subject)
   write_html_page(options.html, page);
 }
 
+/// Of all frames, so that a value has one colour.
+ColorScale color_scale(const RenderOptions& options, const std::vector<vtkPolyData*>& surfaces)
+{
+  RangeFinder finder;
+  bool vector = false;
+  for (vtkPolyData* surface : surfaces)
+  {
+    vtkDataArray* array = finite_point_array(surface, options.movie.color);
+    finder.include(array);
+    vector = array->GetNumberOfComponents() > 1;
+  }
+  const Range range =
+    options.range.empty() ? finder.range() : Range{ options.range[0], options.range[1] };
+  return choose_color_scale(range, neutral_value(options.movie.color, surfaces.front()), vector);
+}
+
+constexpr const char *gltf = ".gltf", *usd = ".usda";
+
+/// The frames that a model has: a glTF file the last one, or that nearest to --times.
+std::vector<SeriesFrame> frames_of_model(const RenderOptions& options, const Subject& subject)
+{
+  std::vector<SeriesFrame> frames = subject.frames;
+  if (!options.times.empty())
+  {
+    frames.clear();
+    for (const int i : nearest_frames(subject.times(), options.times))
+    {
+      frames.push_back(subject.frames[static_cast<std::size_t>(i)]);
+    }
+  }
+  return path(options.model).extension() == gltf ? std::vector{ frames.back() } : frames;
+}
+
+void write_model(const RenderOptions& options, const Subject& subject)
+{
+  std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
+  std::vector<vtkPolyData*> all;
+  SmoothSurface smooth;
+  for (const SeriesFrame& frame : frames_of_model(options, subject))
+  {
+    auto surface = triangulated(surface_of(frame.file, options.movie.color).Get());
+    surfaces.push_back(
+      options.movie.smooth ? smooth.refine(surface, { options.movie.color }).surface : surface);
+    all.push_back(surfaces.back());
+  }
+  const ColorScale scale = color_scale(options, all);
+  std::vector<Model> models;
+  for (vtkPolyData* surface : all)
+  {
+    models.push_back(model_of(surface, options.movie.color, scale));
+  }
+  const path file = options.model;
+  replace_file(file,
+    file.extension() == gltf ? gltf_text(models.front(), file.stem().string())
+                             : usd_text(models, file.stem().string()));
+}
+
+void require_model_ending(const path& file)
+{
+  if (!file.empty() && file.extension() != gltf && file.extension() != usd)
+  {
+    throw InputError(
+      fmt::format("{}: --model writes glTF (.gltf) and USD as text (.usda)", file.string()));
+  }
+}
+
 /// Films, figures and pages have one format each: another ending would promise another.
 void require_ending(const path& file, const char* ending, const char* what)
 {
@@ -266,15 +339,17 @@ void require_ending(const path& file, const char* ending, const char* what)
 int draw(const RenderOptions& options)
 {
   spdlog::set_level(spdlog::level::warn);
-  if (options.folder.empty() && options.montage.empty() && options.html.empty())
+  if (options.folder.empty() && options.montage.empty() && options.html.empty() &&
+    options.model.empty())
   {
     throw InputError(
       "render: say what to write: pictures with -o FOLDER, a figure with --montage FILE, "
-      "a page with --html FILE");
+      "a page with --html FILE, a model with --model FILE");
   }
   require_ending(options.mp4, ".mp4", "--mp4 writes films");
   require_ending(options.montage, ".png", "--montage writes pictures");
   require_ending(options.html, ".html", "--html writes pages");
+  require_model_ending(options.model);
   if (options.folder.empty() && !options.mp4.empty())
   {
     throw InputError("--mp4 is made of pictures: give a folder for them with -o");
@@ -287,6 +362,10 @@ int draw(const RenderOptions& options)
   if (!options.html.empty())
   {
     write_page(options, subject);
+  }
+  if (!options.model.empty())
+  {
+    write_model(options, subject);
   }
   if (!options.folder.empty())
   {
@@ -337,16 +416,21 @@ void add_render_command(CLI::App& app, Action& action)
     "--montage", options->montage, "Figure (.png) to write: several shapes in one");
   command->add_option("--html", options->html,
     "Page to write, one file for any browser: surface, colours, time, diagnostics");
+  command->add_option("--model", options->model,
+    "Model to write, for other programs' pictures: glTF (.gltf; the last frame) or USD (.usda; all "
+    "frames)");
   auto* panels =
     command->add_option("--panels", options->panels, "Shapes of a montage, evenly in time")
       ->check(CLI::Range(1, 60))
       ->capture_default_str();
-  command->add_option("--times", options->times, "Times of a montage's shapes")->excludes(panels);
+  command->add_option("--times", options->times, "Times of a montage's shapes, and of a model's")
+    ->excludes(panels);
   add_look_options(*command, *options);
   command->footer(
     "Example: vesicle render pear/pear.pvd -o pictures --color Tension --mp4 pear.mp4\n"
     "Example: vesicle render pear/pear.pvd --montage pear.png --smooth\n"
-    "Example: vesicle render pear/pear.pvd --html pear.html");
+    "Example: vesicle render pear/pear.pvd --html pear.html\n"
+    "Example: vesicle render pear/pear.pvd --model pear.usda --smooth");
   command->callback([options, &action] { action = [options] { return draw(*options); }; });
 }
 
