@@ -7,6 +7,7 @@
 #include "apps/RunMovie.h"
 #include "apps/RunPlots.h"
 
+#include "render/CrossSection.h"
 #include "render/Model.h"
 #include "render/Montage.h"
 #include "render/Movie.h"
@@ -50,6 +51,7 @@ struct RenderOptions
   std::string montage;
   std::string html;
   std::string model;
+  std::string section;
   int panels = 3;
   std::vector<double> times; ///< of the montage
   std::vector<double> range;
@@ -187,12 +189,18 @@ void draw_movie(const RenderOptions& options, const Subject& subject)
   }
 }
 
-void draw_montage(const RenderOptions& options, const Subject& subject)
+/// The frames that a figure shows: those nearest to --times, or --panels of them.
+std::vector<int> frames_of_figure(const RenderOptions& options, const Subject& subject)
 {
   const auto all_times = subject.times();
-  const auto chosen = !options.times.empty() ? nearest_frames(all_times, options.times)
-    : subject.timed                          ? spread_frames(all_times, options.panels)
-                    : spread_frames(all_times, static_cast<int>(all_times.size()));
+  return !options.times.empty() ? nearest_frames(all_times, options.times)
+    : subject.timed             ? spread_frames(all_times, options.panels)
+                                : spread_frames(all_times, static_cast<int>(all_times.size()));
+}
+
+void draw_montage(const RenderOptions& options, const Subject& subject)
+{
+  const auto chosen = frames_of_figure(options, subject);
   std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
   std::vector<double> times;
   for (const int i : chosen)
@@ -259,6 +267,28 @@ void write_page(const RenderOptions& options, const Subject& subject)
   page.frames = [&](int i)
   { return surface_of(subject.frames[static_cast<std::size_t>(i)].file, options.movie.color); };
   write_html_page(options.html, page);
+}
+
+void draw_section(const RenderOptions& options, const Subject& subject)
+{
+  std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
+  std::vector<CrossSection> sections;
+  SmoothSurface smooth;
+  for (const int i : frames_of_figure(options, subject))
+  {
+    const auto& frame = subject.frames[static_cast<std::size_t>(i)];
+    const auto surface = triangulated(read_mesh(frame.file).Get());
+    surfaces.push_back(options.movie.smooth ? smooth.refine(surface, {}).surface : surface);
+    sections.push_back({ frame.time, surfaces.back() });
+  }
+  const View view = View::named(options.movie.view);
+  ChartSpec chart = section_chart(sections, view, options.movie.camera == "follow");
+  if (!options.title.empty())
+  {
+    chart.title = options.title;
+  }
+  constexpr std::array<int, 2> size{ 1000, 800 };
+  write_chart(options.section, chart, options.size.empty() ? size : parse_size(options.size));
 }
 
 /// Of all frames, so that a value has one colour.
@@ -340,16 +370,20 @@ int draw(const RenderOptions& options)
 {
   spdlog::set_level(spdlog::level::warn);
   if (options.folder.empty() && options.montage.empty() && options.html.empty() &&
-    options.model.empty())
+    options.model.empty() && options.section.empty())
   {
     throw InputError(
       "render: say what to write: pictures with -o FOLDER, a figure with --montage FILE, "
-      "a page with --html FILE, a model with --model FILE");
+      "outlines with --section FILE, a page with --html FILE, a model with --model FILE");
   }
   require_ending(options.mp4, ".mp4", "--mp4 writes films");
   require_ending(options.montage, ".png", "--montage writes pictures");
   require_ending(options.html, ".html", "--html writes pages");
   require_model_ending(options.model);
+  if (path(options.section).extension() != ".svg")
+  {
+    require_ending(options.section, ".png", "--section writes .svg files and pictures");
+  }
   if (options.folder.empty() && !options.mp4.empty())
   {
     throw InputError("--mp4 is made of pictures: give a folder for them with -o");
@@ -362,6 +396,10 @@ int draw(const RenderOptions& options)
   if (!options.html.empty())
   {
     write_page(options, subject);
+  }
+  if (!options.section.empty())
+  {
+    draw_section(options, subject);
   }
   if (!options.model.empty())
   {
@@ -416,14 +454,20 @@ void add_render_command(CLI::App& app, Action& action)
     "--montage", options->montage, "Figure (.png) to write: several shapes in one");
   command->add_option("--html", options->html,
     "Page to write, one file for any browser: surface, colours, time, diagnostics");
+  command->add_option("--section", options->section,
+    "Figure (.png, .svg) to write: outlines in the plane that --view looks at, about their "
+    "centroids "
+    "unless --camera is fixed");
   command->add_option("--model", options->model,
     "Model to write, for other programs' pictures: glTF (.gltf; the last frame) or USD (.usda; all "
     "frames)");
   auto* panels =
-    command->add_option("--panels", options->panels, "Shapes of a montage, evenly in time")
+    command
+      ->add_option("--panels", options->panels, "Shapes of a montage or section, evenly in time")
       ->check(CLI::Range(1, 60))
       ->capture_default_str();
-  command->add_option("--times", options->times, "Times of a montage's shapes, and of a model's")
+  command
+    ->add_option("--times", options->times, "Times of the shapes of a montage, a section, a model")
     ->excludes(panels);
   add_look_options(*command, *options);
   command->footer(

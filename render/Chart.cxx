@@ -27,6 +27,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <fmt/format.h>
 
 namespace vesicle
@@ -128,6 +129,22 @@ void set_axis(vtkAxis* axis, const std::string& label, bool logarithmic, double 
   axis->GetPen()->SetWidth(static_cast<float>(1.5 * scale));
 }
 
+/// Widens what one axis of a drawn chart shows, so that a unit is as long on both.
+void make_units_equal(vtkChartXY* chart)
+{
+  vtkAxis *across = chart->GetAxis(vtkAxis::BOTTOM), *up = chart->GetAxis(vtkAxis::LEFT);
+  const auto range = [](vtkAxis* axis) { return axis->GetMaximum() - axis->GetMinimum(); };
+  const double width = across->GetPoint2()[0] - across->GetPoint1()[0],
+               height = up->GetPoint2()[1] - up->GetPoint1()[1];
+  const double unit = std::max(range(across) / width, range(up) / height); // a pixel's
+  for (const auto& [axis, pixels] : { std::pair{ across, width }, { up, height } })
+  {
+    const double middle = (axis->GetMinimum() + axis->GetMaximum()) / 2, half = unit * pixels / 2;
+    axis->SetBehavior(vtkAxis::FIXED);
+    axis->SetRange(middle - half, middle + half);
+  }
+}
+
 }
 
 std::array<int, 3> chart_color(std::size_t i)
@@ -213,19 +230,34 @@ void write_charts(const std::filesystem::path& file, const std::vector<ChartSpec
   const double scale = chart_scale(size[1] / rows);
   constexpr int samples = 8; // smooth lines; a chart is drawn once
   const auto window = off_screen_window(size, samples);
+  std::vector<vtkSmartPointer<vtkChartXY>> items;
   for (int i = 0; i < static_cast<int>(charts.size()); ++i)
   {
     const int column = i % columns;
     const int row = rows - 1 - i / columns; // VTK counts from below
     vtkNew<vtkRenderer> renderer;
     vtkNew<vtkContextActor> canvas;
-    fill_viewport(renderer, canvas, make_chart(charts[static_cast<std::size_t>(i)], scale),
+    items.push_back(make_chart(charts[static_cast<std::size_t>(i)], scale));
+    fill_viewport(renderer, canvas, items.back(),
       { static_cast<double>(column) / columns, static_cast<double>(row) / rows,
         (column + 1.) / columns, (row + 1.) / rows },
       size);
     window->AddRenderer(renderer);
   }
   window->Render();
+  bool adapted = false;
+  for (std::size_t i = 0; i < charts.size(); ++i)
+  {
+    if (charts[i].equal_axes)
+    {
+      make_units_equal(items[i]);
+      adapted = true;
+    }
+  }
+  if (adapted)
+  {
+    window->Render();
+  }
   if (file.extension() == ".svg")
     write_svg(file, window);
   else

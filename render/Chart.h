@@ -34,6 +34,7 @@ struct ChartSpec
   std::vector<ChartLine> lines;
   bool log_x = false; ///< values must be positive; others are left out
   bool log_y = false;
+  bool equal_axes = false; ///< a unit is as long up as it is across
 };
 
 /// Draws one chart off-screen, as SVG where the file's name ends so, otherwise as PNG. Throws InputError when x and y differ in length or nothing is left
