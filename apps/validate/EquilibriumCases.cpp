@@ -4,7 +4,6 @@
 #include "apps/DataFiles.h"
 #include "apps/validate/Cases.h"
 #include "apps/validate/Runs.h"
-#include "apps/validate/Stomatocyte.h"
 #include "solver/equilibrium/BranchEquilibrium.h"
 #include "solver/simulation/StartMesh.h"
 
@@ -52,7 +51,7 @@ Scene relaxation_scene(const Shape& shape, int triangles)
   Scene scene;
   scene.name = shape.branch;
   scene.vesicle.shape.kind =
-    shape.branch == "oblate" ? ShapeRequest::Kind::discocyte : ShapeRequest::Kind::prolate;
+    shape.branch == "oblate" ? ShapeRequest::Kind::discocyte : shape_kind(shape.branch);
   if (shape.branch == "oblate" && shape.v > 0.7)
   {
     scene.vesicle.shape.kind = ShapeRequest::Kind::oblate;
@@ -64,11 +63,6 @@ Scene relaxation_scene(const Shape& shape, int triangles)
   // stomatocyte's mouth goes on closing, slowly.
   scene.time.end = shape.branch == "stomatocyte" && shape.v > 0.55 ? 12 : 4;
   return scene;
-}
-
-TriangleMesh start_mesh(const Scene& scene, const Shape& shape)
-{
-  return shape.branch == "stomatocyte" ? stomatocyte(scene, shape.v) : make_start_mesh(scene);
 }
 
 /// Relaxed shapes so far, by their number of triangles.
@@ -88,7 +82,7 @@ const History& relaxed(const Shape& shape, int triangles)
     return found->second;
   }
   const Scene scene = relaxation_scene(shape, triangles);
-  return done.emplace(key, simulate(scene, start_mesh(scene, shape), latest)).first->second;
+  return done.emplace(key, simulate(scene, make_start_mesh(scene), latest)).first->second;
 }
 
 /// A meridian (r, z), z from the volume's centroid.

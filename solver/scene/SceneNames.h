@@ -76,6 +76,7 @@ inline constexpr std::array shape_kinds{
   ShapeRequest::Kind::ellipsoid,
   ShapeRequest::Kind::discocyte,
   ShapeRequest::Kind::perturbed,
+  ShapeRequest::Kind::stomatocyte,
 };
 
 inline const std::vector<std::string> view_names{ "auto", "front", "side", "top", "iso", "xz", "yz",

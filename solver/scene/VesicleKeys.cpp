@@ -154,9 +154,10 @@ std::vector<SceneKey> vesicle_keys()
   const auto shapes = shape_words();
   const std::string prolate = shape_name(Kind::prolate), oblate = shape_name(Kind::oblate),
                     ellipsoid = shape_name(Kind::ellipsoid),
-                    perturbed = shape_name(Kind::perturbed);
+                    perturbed = shape_name(Kind::perturbed),
+                    stomatocyte = shape_name(Kind::stomatocyte);
   const std::vector<std::string> deflated{ shape_name(Kind::sphere), prolate, oblate, ellipsoid,
-    shape_name(Kind::discocyte) };
+    shape_name(Kind::discocyte), stomatocyte };
   return {
     key("shape", in_shape(&ShapeRequest::kind), ShapeWord{}, "", "of the start")
       .with(shapes)
@@ -205,7 +206,7 @@ std::vector<SceneKey> vesicle_keys()
     key("reduced_volume", in_shape(&ShapeRequest::reduced_volume), rules::Number{ fraction }, "",
       "6 √π V / A^(3/2); of a sphere: 1")
       .with(deflated)
-      .required("", { prolate, oblate })
+      .required("", { prolate, oblate, stomatocyte })
       .otherwise("the shape's own"),
     key("modes", in_shape(&ShapeRequest::modes), Modes{}, "",
       "r = radius (1 + Σ amplitude Y_lm), real and orthonormal Y_lm")
@@ -235,6 +236,7 @@ SceneTable vesicle_table()
     { shape_name(Kind::ellipsoid), "ellipsoid" },
     { shape_name(Kind::discocyte), "the red blood cell's biconcave disc" },
     { shape_name(Kind::perturbed), "sphere with spherical harmonics added" },
+    { shape_name(Kind::stomatocyte), "a bowl with a narrow mouth, which opens along the axis" },
     { from_file, "a mesh" },
   };
   table.variant_in = variant_in;

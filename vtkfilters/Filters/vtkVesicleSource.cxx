@@ -27,7 +27,7 @@ using Kind = vesicle::ShapeRequest::Kind;
 using vesicle::SurfaceBasis;
 
 constexpr std::array kinds{ Kind::sphere, Kind::prolate, Kind::oblate, Kind::ellipsoid,
-  Kind::discocyte, Kind::perturbed }; // in the order of vtkVesicleSource::Shapes
+  Kind::discocyte, Kind::perturbed, Kind::stomatocyte }; // in the order of vtkVesicleSource::Shapes
 
 }
 

@@ -15,7 +15,7 @@
  * Shapes: Sphere; Prolate and Oblate, ellipsoids of revolution about the axis; Ellipsoid with
  * SemiAxes; Discocyte, the biconcave disc of Evans & Fung, Microvasc. Res. 4 (1972) 335; Perturbed,
  * a sphere with spherical harmonics added, r = Radius (1 + Σ amplitude Y_lm) with orthonormal real
- * Y_lm.
+ * Y_lm; Stomatocyte, a bowl with a narrow mouth.
  *
  * Reduced volume as in Boedec, Leonetti, Jaeger, J. Comput. Phys. 230 (2011) 1020, equation (43).
  */
@@ -44,7 +44,8 @@ public:
     Oblate,
     Ellipsoid,
     Discocyte,
-    Perturbed
+    Perturbed,
+    Stomatocyte
   };
 
   enum Bases
@@ -58,7 +59,7 @@ public:
    * The shape, one of Shapes or its name in lower case ("sphere", "prolate", …). An unknown name is
    * an error and changes nothing. Default: Sphere.
    */
-  vtkSetClampMacro(Shape, int, Sphere, Perturbed);
+  vtkSetClampMacro(Shape, int, Sphere, Stomatocyte);
   vtkGetMacro(Shape, int);
   void SetShapeByName(const char* name);
   const char* GetShapeName();

@@ -1,6 +1,7 @@
 #include "solver/mesh/shapes/ShapeFamily.h"
 
 #include "solver/Errors.h"
+#include "solver/mesh/shapes/Bowl.h"
 #include "solver/mesh/shapes/GeodesicSphere.h"
 #include "solver/mesh/shapes/SphericalHarmonics.h"
 
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace vesicle
 {
@@ -90,6 +92,27 @@ ShapeFamily discocyte()
   return family;
 }
 
+/// Bowl.h's, whose shell is as thin as the deflation is large; a thicker one loses its mouth.
+ShapeFamily stomatocyte()
+{
+  ShapeFamily family;
+  family.surface = [](double deflation) -> SphericalParametrisation
+  {
+    return [half_thickness = -deflation](const Vector3& d) -> Vector3
+    {
+      const double polar = std::acos(std::clamp(-d.z(), -1., 1.));
+      const Eigen::Vector2d p = bowl_meridian(half_thickness, polar / std::numbers::pi);
+      const double across = std::hypot(d.x(), d.y()), scale = across > 0 ? p[0] / across : 0;
+      return { scale * d.x(), scale * d.y(), p[1] };
+    };
+  };
+  family.roundest = -0.6;  // v = .836
+  family.flattest = -0.03; // v = .064
+  family.needs_reduced_volume = true;
+  family.symmetry = Symmetry::turns_about_z;
+  return family;
+}
+
 double perturbed_radius(const std::vector<ShapeMode>& modes, const Vector3& direction)
 {
   double radius = 1;
@@ -152,6 +175,8 @@ ShapeFamily shape_family(const ShapeRequest& request)
       return discocyte();
     case ShapeRequest::Kind::perturbed:
       return perturbed(request.modes);
+    case ShapeRequest::Kind::stomatocyte:
+      return stomatocyte();
     case ShapeRequest::Kind::sphere:
       break;
   }

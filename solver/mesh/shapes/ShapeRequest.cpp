@@ -13,13 +13,14 @@ namespace vesicle
 
 namespace
 {
-constexpr std::array<std::pair<const char*, ShapeRequest::Kind>, 6> kinds{ {
+constexpr std::array<std::pair<const char*, ShapeRequest::Kind>, 7> kinds{ {
   { "sphere", ShapeRequest::Kind::sphere },
   { "prolate", ShapeRequest::Kind::prolate },
   { "oblate", ShapeRequest::Kind::oblate },
   { "ellipsoid", ShapeRequest::Kind::ellipsoid },
   { "discocyte", ShapeRequest::Kind::discocyte },
   { "perturbed", ShapeRequest::Kind::perturbed },
+  { "stomatocyte", ShapeRequest::Kind::stomatocyte },
 } };
 }
 

@@ -24,11 +24,12 @@ struct ShapeRequest
   enum class Kind
   {
     sphere,
-    prolate,   ///< ellipsoid of revolution, long along z
-    oblate,    ///< ellipsoid of revolution, short along z
-    ellipsoid, ///< semi_axes along x, y, z
-    discocyte, ///< biconcave disc (Evans & Fung 1972), axis z
-    perturbed  ///< sphere with `modes`
+    prolate,    ///< ellipsoid of revolution, long along z
+    oblate,     ///< ellipsoid of revolution, short along z
+    ellipsoid,  ///< semi_axes along x, y, z
+    discocyte,  ///< biconcave disc (Evans & Fung 1972), axis z
+    perturbed,  ///< sphere with `modes`
+    stomatocyte ///< bowl with a narrow mouth, which opens along z
   };
   Kind kind = Kind::sphere;
   int triangles = 1280;                 ///< the nearest that there is, uniform_mesh()

@@ -105,7 +105,8 @@ const std::vector<Case> cases{
     { "s.toml:2: key 'vesicle.shpae': unknown key, did you mean 'shape'?; allowed: shape" } },
   { "shape_unknown", with_time("[vesicle]\nshape = \"prolat\""),
     { "s.toml:2: key 'vesicle.shape': can't be \"prolat\", did you mean \"prolate\"?; allowed: "
-      "\"sphere\", \"prolate\", \"oblate\", \"ellipsoid\", \"discocyte\", \"perturbed\"" } },
+      "\"sphere\", \"prolate\", \"oblate\", \"ellipsoid\", \"discocyte\", \"perturbed\", "
+      "\"stomatocyte\"" } },
   { "shape_type", with_time("[vesicle]\nshape = 1"),
     { "s.toml:2: key 'vesicle.shape': must be a string, is the integer 1; allowed: \"sphere\"" } },
   { "shape_and_file", with_time("[vesicle]\nshape = \"sphere\"\nfile = \"a.vtu\""),

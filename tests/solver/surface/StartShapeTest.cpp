@@ -109,6 +109,8 @@ TEST(StartShape, HasTheReducedVolumeOnLoopsSurface)
     for (const double v : { 0.9999, 0.8, 0.4 })
       expect_reduced_volume(Kind::discocyte, triangles, v);
   }
+  for (const double v : { 0.7, 0.5, 0.3 })
+    expect_reduced_volume(Kind::stomatocyte, 1280, v);
   expect_reduced_volume(Kind::prolate, 1280, 0.35);
   expect_reduced_volume(Kind::discocyte, 1280, 0.999999);
 }

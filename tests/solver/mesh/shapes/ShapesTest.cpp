@@ -285,7 +285,7 @@ TEST(MakeShape, SaysWhatCannotBe)
 TEST(MakeShape, NamesGoBothWays)
 {
   for (const std::string name :
-    { "sphere", "prolate", "oblate", "ellipsoid", "discocyte", "perturbed" })
+    { "sphere", "prolate", "oblate", "ellipsoid", "discocyte", "perturbed", "stomatocyte" })
     EXPECT_EQ(shape_name(shape_kind(name)), name);
   try
   {
