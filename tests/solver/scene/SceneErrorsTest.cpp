@@ -100,7 +100,7 @@ const std::vector<Case> cases{
 
   { "shape_missing", with_time("[vesicle]\nradius = 1"),
     { "s.toml:1: key 'vesicle.shape': is missing; allowed: ",
-      "\"perturbed\", or 'file' with a mesh" } },
+      "\"stomatocyte\", or 'file' with a mesh" } },
   { "shape_missing_typo", with_time("[vesicle]\nshpae = \"sphere\""),
     { "s.toml:2: key 'vesicle.shpae': unknown key, did you mean 'shape'?; allowed: shape" } },
   { "shape_unknown", with_time("[vesicle]\nshape = \"prolat\""),

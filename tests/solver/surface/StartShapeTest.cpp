@@ -5,6 +5,8 @@
 #include "solver/mesh/shapes/Shapes.h"
 #include "solver/surface/LoopEnergy.h"
 #include "solver/surface/StartShape.h"
+#include "solver/surface/Surface.h"
+#include "solver/surface/SurfaceIntegrals.h"
 #include "solver/surface/SurfaceMeasures.h"
 #include "tests/solver/support/ReferenceProfile.h"
 
@@ -40,6 +42,13 @@ double loop_reduced_volume(const TriangleMesh& mesh)
   return reduced_volume(m.area, m.volume);
 }
 
+Vector3 loop_centroid(const TriangleMesh& mesh)
+{
+  const SurfaceSpace space(
+    SurfaceBasis::loop, mesh.triangles, static_cast<int>(mesh.points.rows()));
+  return centroid(space.table(), evaluate(space.table(), space.collocation().fit(mesh.points)));
+}
+
 void expect_reduced_volume(Kind kind, int triangles, double v)
 {
   SCOPED_TRACE(shape_name(kind) + " " + std::to_string(triangles) + " " + std::to_string(v));
@@ -47,7 +56,7 @@ void expect_reduced_volume(Kind kind, int triangles, double v)
   EXPECT_EQ(mesh.triangles.rows(), triangles);
   EXPECT_NEAR(loop_reduced_volume(mesh), v, 1e-12);
   EXPECT_NEAR(surface_measures(SurfaceBasis::loop, mesh).volume, 4 * std::numbers::pi / 3, 1e-12);
-  EXPECT_LT(volume_centroid(mesh).norm(), 1e-9);
+  EXPECT_LT(loop_centroid(mesh).norm(), 1e-9);
   EXPECT_EQ(find_self_crossing(mesh), std::nullopt);
   EXPECT_GE(mesh_quality(mesh).min_angle_deg, 10);
 }
@@ -109,8 +118,8 @@ TEST(StartShape, HasTheReducedVolumeOnLoopsSurface)
     for (const double v : { 0.9999, 0.8, 0.4 })
       expect_reduced_volume(Kind::discocyte, triangles, v);
   }
-  for (const double v : { 0.7, 0.5, 0.3 })
-    expect_reduced_volume(Kind::stomatocyte, 1280, v);
+  for (const double v : { 0.7, 0.5 })
+    expect_reduced_volume(Kind::stomatocyte, 640, v);
   expect_reduced_volume(Kind::prolate, 1280, 0.35);
   expect_reduced_volume(Kind::discocyte, 1280, 0.999999);
 }
