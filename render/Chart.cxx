@@ -80,8 +80,9 @@ vtkSmartPointer<vtkTable> table_of(const ChartSpec& chart, const ChartLine& line
 void add_line(vtkChartXY* chart, vtkTable* table, const ChartLine& line,
   const std::array<int, 3>& color, double scale)
 {
-  const bool cross = line.style == ChartLine::Style::cross,
-             points = cross || line.style == ChartLine::Style::points;
+  const bool cross = line.style == ChartLine::Style::cross, alone = table->GetNumberOfRows() == 1,
+             points =
+               cross || alone || line.style == ChartLine::Style::points; // no line through one
   vtkPlot* plot = chart->AddPlot(points ? vtkChart::POINTS : vtkChart::LINE);
   plot->SetInputData(table, 0, 1);
   plot->SetLabel(line.label);

@@ -4,6 +4,7 @@
 
 #include "render/Chart.h"
 #include "solver/Errors.h"
+#include "vtkfilters/Filters/VtkMessages.h"
 
 #include "vtkPNGReader.h"
 
@@ -92,6 +93,17 @@ TEST(Chart, ShowsEachLinesLabelInTheLegend)
   EXPECT_GT(difference(twice, once), 0);
   EXPECT_GT(difference(once, other), 0);
   EXPECT_GT(difference(other, none), 0.01); // the legend's room goes to the axes
+}
+
+// VTK complains of lines of one point and draws nothing.
+TEST(Chart, ALineOfOnePointIsAPoint)
+{
+  ChartSpec chart = parabola();
+  chart.lines[0].x = { 1 };
+  chart.lines[0].y = { 1 };
+  const VtkMessages messages;
+  EXPECT_TRUE(colors_of(drawn(chart)).contains({ 0, 114, 178 }));
+  EXPECT_FALSE(messages.any_error());
 }
 
 TEST(Chart, LogarithmicAxesChangeThePicture)
