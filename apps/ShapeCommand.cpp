@@ -68,7 +68,9 @@ void add_shape_command(CLI::App& app, Action& action)
   auto options = std::make_shared<ShapeOptions>();
   auto* command = app.add_subcommand(
     "shape", "Write a start shape of radius 1 (that of the sphere of its volume)");
-  command->add_option("kind", options->kind, "sphere prolate oblate ellipsoid discocyte perturbed stomatocyte")
+  command
+    ->add_option(
+      "kind", options->kind, "sphere prolate oblate ellipsoid discocyte perturbed stomatocyte")
     ->required();
   auto* reduced = command->add_option("--reduced-volume", options->reduced_volume,
     "6 sqrt(pi) V / A^(3/2) of the surface, 1 for a sphere");
