@@ -4,7 +4,7 @@
 #include "solver/ParallelFor.h"
 #include "solver/linear/Gmres.h"
 #include "solver/dynamics/LocalPreconditioner.h"
-#include "solver/dynamics/RigidMotions.h"
+#include "solver/surface/RigidMotions.h"
 
 #include <fmt/format.h>
 

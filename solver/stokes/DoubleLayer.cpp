@@ -12,8 +12,8 @@ std::unique_ptr<const PointSum> DoubleLayer::direct_sum(
   return std::make_unique<DirectPointSum<PointKind::stresslet>>(points, vertices);
 }
 
-DoubleLayer::DoubleLayer(const StokesOperator& layer, const std::vector<double>& factors,
-  const LayerSum::MakePointSum& make_sum)
+DoubleLayer::DoubleLayer(
+  const StokesOperator& layer, const std::vector<double>& factors, const MakePointSum& make_sum)
   : sum_(make_sum(layer.sources(), layer.targets())), vertices_(layer.vertices())
 {
   for (int s = 0; s < layer.surfaces(); ++s)
@@ -24,7 +24,7 @@ DoubleLayer::DoubleLayer(const StokesOperator& layer, const std::vector<double>&
       double_layer_factor * at.weight.asDiagonal() * at.surface.cross.rowwise().normalized(),
       layer.first_vertex(s), points_, layer.double_layer_corrections(s), {}, factors[s], {} };
     if (layer.surfaces() > 1)
-      source.near = layer.near_surface_corrections(s, LayerKernel::stresslet);
+      source.near = layer.near_surface_corrections(s, PointKind::stresslet);
     const int own = surface.rules->vertices();
     source.own = layer.surfaces() == 1
       ? own_blocks(source, *sum_, own)
@@ -34,18 +34,10 @@ DoubleLayer::DoubleLayer(const StokesOperator& layer, const std::vector<double>&
   }
 }
 
-DoubleLayer::Stresslets DoubleLayer::stresslets(const Source& source, const Points& nodal)
+Eigen::Matrix<double, Eigen::Dynamic, 6> DoubleLayer::stresslets(
+  const Source& source, const Points& nodal)
 {
-  const Eigen::ArrayX3d u = interpolate(*source.table, nodal).array();
-  const auto n = source.normal.array();
-  Eigen::Array<double, Eigen::Dynamic, 6> s(n.rows(), 6);
-  s.col(0) = u.col(0) * n.col(0);
-  s.col(1) = (u.col(0) * n.col(1) + u.col(1) * n.col(0)) / 2;
-  s.col(2) = (u.col(0) * n.col(2) + u.col(2) * n.col(0)) / 2;
-  s.col(3) = u.col(1) * n.col(1);
-  s.col(4) = (u.col(1) * n.col(2) + u.col(2) * n.col(1)) / 2;
-  s.col(5) = u.col(2) * n.col(2);
-  return s;
+  return symmetric_products(interpolate(*source.table, nodal), source.normal);
 }
 
 // `sum` is from the source's points to its own vertices alone.

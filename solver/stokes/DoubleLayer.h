@@ -17,7 +17,7 @@ class DoubleLayer
 public:
   /// `factors`: of each surface's layer.
   DoubleLayer(const StokesOperator& layer, const std::vector<double>& factors,
-    const LayerSum::MakePointSum& make_sum = direct_sum);
+    const MakePointSum& make_sum = direct_sum);
 
   static std::unique_ptr<const PointSum> direct_sum(
     const RowVectors& points, const Points& vertices);
@@ -41,9 +41,8 @@ private:
     RowVectors
       own; ///< ½ − the rules' K of constants at its vertices: 3 by 3 each, one below the other
   };
-  using Stresslets = Eigen::Matrix<double, Eigen::Dynamic, 6>;
-
-  static Stresslets stresslets(const Source& source, const Points& nodal);
+  static Eigen::Matrix<double, Eigen::Dynamic, 6> stresslets(
+    const Source& source, const Points& nodal);
   static RowVectors own_blocks(const Source& source, const PointSum& sum, int vertices);
 
   std::vector<Source> sources_;

@@ -20,7 +20,7 @@ LayerSum::LayerSum(const StokesOperator& layer, const MakePointSum& make_sum)
     sources_.push_back({ &layer.surface(s).rules->regular().table, weight, layer.first_vertex(s),
       points_, layer.corrections(s), {} });
     if (layer.surfaces() > 1)
-      sources_.back().near = layer.near_surface_corrections(s, LayerKernel::stokeslet);
+      sources_.back().near = layer.near_surface_corrections(s, PointKind::force);
     points_ += static_cast<int>(weight.size());
   }
 }

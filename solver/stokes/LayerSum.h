@@ -6,7 +6,6 @@
 #include "solver/stokes/PointSum.h"
 #include "solver/stokes/StokesOperator.h"
 
-#include <functional>
 #include <memory>
 #include <optional>
 
@@ -18,8 +17,6 @@ class LayerSum
 {
 public:
   /// `make_sum`: what adds up all pairs of points and vertices.
-  using MakePointSum = std::function<std::unique_ptr<const PointSum>(
-    const RowVectors& points, const Points& vertices)>;
   explicit LayerSum(const StokesOperator& layer, const MakePointSum& make_sum = direct_sum);
 
   static std::unique_ptr<const PointSum> direct_sum(

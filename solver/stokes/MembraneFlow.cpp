@@ -8,24 +8,29 @@ namespace vesicle
 namespace
 {
 
-FlowField flow_of(
+SurfacePanels panels_of(
   const Basis& basis, const TriangleMesh& mesh, const Points& forces, const Points& velocities)
 {
   const Collocation collocation(basis);
-  return FlowField(
-    SurfacePanels(basis, collocation.fit(mesh.points), nodal_density(collocation.fit(forces)),
-      velocities.rows() > 0 ? Points(collocation.fit(velocities)) : Points()));
+  return { basis, collocation.fit(mesh.points), nodal_density(collocation.fit(forces)),
+    velocities.rows() > 0 ? Points(collocation.fit(velocities)) : Points() };
 }
 
+}
+
+SurfacePanels membrane_panels(
+  const TriangleMesh& mesh, SurfaceBasis basis, const Points& forces, const Points& velocities)
+{
+  const int nodes = static_cast<int>(mesh.points.rows());
+  return basis == SurfaceBasis::loop
+    ? panels_of(LoopBasis(mesh.triangles, nodes), mesh, forces, velocities)
+    : panels_of(LinearBasis(mesh.triangles, nodes), mesh, forces, velocities);
 }
 
 FlowField membrane_flow(
   const TriangleMesh& mesh, SurfaceBasis basis, const Points& forces, const Points& velocities)
 {
-  const int nodes = static_cast<int>(mesh.points.rows());
-  return basis == SurfaceBasis::loop
-    ? flow_of(LoopBasis(mesh.triangles, nodes), mesh, forces, velocities)
-    : flow_of(LinearBasis(mesh.triangles, nodes), mesh, forces, velocities);
+  return FlowField(membrane_panels(mesh, basis, forces, velocities));
 }
 
 }

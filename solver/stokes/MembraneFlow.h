@@ -14,5 +14,8 @@ namespace vesicle
 /// for the panels to have, or empty.
 FlowField membrane_flow(const TriangleMesh& mesh, SurfaceBasis basis, const Points& forces,
   const Points& velocities = {});
+/// The panels that it is made of.
+SurfacePanels membrane_panels(const TriangleMesh& mesh, SurfaceBasis basis, const Points& forces,
+  const Points& velocities = {});
 
 }

@@ -6,7 +6,7 @@
 #include "solver/stokes/PanelPolynomials.h"
 #include "solver/stokes/SpheresAround.h"
 #include "solver/stokes/StokesOperator.h"
-#include "solver/stokes/kernels/StokesletKernel.h"
+#include "solver/stokes/WallImage.h"
 
 namespace vesicle
 {
@@ -18,8 +18,11 @@ namespace
 constexpr double near_element_radii = 4;
 
 using Box = Eigen::AlignedBox3d;
-/// One row a term or node: xx, xy, xz, yy, yz, zz.
-using Blocks = Eigen::Matrix<double, Eigen::Dynamic, 6, Eigen::RowMajor, Monomials::most, 6>;
+/// One row a term or node.
+template<int size>
+using Blocks = Eigen::Matrix<double, Eigen::Dynamic, size, Eigen::RowMajor, Monomials::most, size>;
+template<int size>
+using Block = Eigen::Matrix<double, 1, size>;
 
 /// Around an element's panels.
 struct ElementSpheres
@@ -45,43 +48,6 @@ struct ElementSpheres
     }
   }
 };
-
-NearVertices near_vertices(
-  const std::vector<LayerSurface>& surfaces, const std::vector<Box>& boxes, std::size_t source)
-{
-  NearVertices near;
-  const PanelBasis& basis = surfaces[source].rules->panels();
-  SurfacePanels panels(basis, surfaces[source].control);
-  ElementSpheres spheres(basis, panels);
-  std::vector<int> candidates;
-  std::vector<Eigen::RowVector3d> places;
-  int number = 0;
-  for (std::size_t other = 0; other < surfaces.size(); ++other)
-  {
-    const Points& vertices = surfaces[other].vertices;
-    if (other != source && spheres.box.intersects(boxes[other]))
-      for (int i = 0; i < vertices.rows(); ++i)
-        if (spheres.box.contains(vertices.row(i).transpose()))
-        {
-          candidates.push_back(number + i);
-          places.emplace_back(vertices.row(i));
-        }
-    number += static_cast<int>(vertices.rows());
-  }
-  const SpheresAround search(std::move(spheres.centers), std::move(spheres.reach));
-  near.elements.start.push_back(0);
-  std::vector<int> found;
-  for (std::size_t k = 0; k < candidates.size(); ++k)
-    if (search.find(places[k].transpose(), found); !found.empty())
-    {
-      near.vertex.push_back(candidates[k]);
-      near.elements.item.insert(near.elements.item.end(), found.begin(), found.end());
-      near.elements.start.push_back(static_cast<int>(near.elements.item.size()));
-    }
-  if (!near.vertex.empty())
-    near.panels = std::move(panels);
-  return near;
-}
 
 /// Points of rules on a panel, as the kernel takes them.
 class PanelRule
@@ -117,8 +83,25 @@ bool near_panel(const SurfacePanels& panels, int panel, const Vector3& x)
   return (x - panels.center(panel)).squaredNorm() < reach * reach;
 }
 
+auto moments_of(PointKind kind)
+{
+  switch (kind)
+  {
+    case PointKind::stresslet:
+      return add_stresslet_moments;
+    case PointKind::force_image:
+      return add_stokeslet_image_moments;
+    case PointKind::stresslet_image:
+      return add_stresslet_image_moments;
+    case PointKind::force:
+      break;
+  }
+  return add_stokeslet_moments;
+}
+
 /// ∫ m_t · kernel dS over a panel, of each of its monomials.
-Blocks moments(const SurfacePanels& panels, int panel, LayerKernel kernel, const Vector3& x)
+template<int size>
+Blocks<size> moments(const SurfacePanels& panels, int panel, PointKind kind, const Vector3& x)
 {
   thread_local PanelRule rule;
   rule.clear();
@@ -130,20 +113,34 @@ Blocks moments(const SurfacePanels& panels, int panel, LayerKernel kernel, const
       add(p.u, p.v, p.weight);
   const PanelShape shape{ panels.coefficients(panel), panels.degree(),
     panels.coefficient_stride() };
-  Blocks sum = Blocks::Zero(polynomial_terms(panels.degree()), 6);
-  (kernel == LayerKernel::stokeslet ? add_stokeslet_moments : add_stresslet_moments)(
-    rule.points(), shape, x.data(), sum.data());
+  Blocks<size> sum = Blocks<size>::Zero(polynomial_terms(panels.degree()), size);
+  moments_of(kind)(rule.points(), shape, x.data(), sum.data());
   return sum;
 }
 
 /// The kernel times the weight at a point of a rule.
-Eigen::Matrix<double, 1, 6> block_of_point(
-  const LayerPoints& points, int row, LayerKernel kernel, const Vector3& x)
+template<int size>
+Block<size> block_of_point(const LayerPoints& points, int row, PointKind kind, const Vector3& x);
+
+template<>
+Block<image_components> block_of_point<image_components>(
+  const LayerPoints& points, int row, PointKind kind, const Vector3& x)
+{
+  const Vector3 y = points.surface.position.row(row).transpose();
+  const Eigen::Matrix3d image = kind == PointKind::force_image
+    ? force_image(x, y)
+    : stresslet_image(x, y, -points.surface.cross.row(row).normalized().transpose());
+  return points.weight[row] * image.reshaped<Eigen::RowMajor>().transpose();
+}
+
+template<>
+Block<stokeslet_components> block_of_point<stokeslet_components>(
+  const LayerPoints& points, int row, PointKind kind, const Vector3& x)
 {
   const Vector3 X = points.surface.position.row(row).transpose() - x;
   const double over_r = 1 / X.norm(), square = over_r * over_r;
   double diagonal = 0, along = 0;
-  if (kernel == LayerKernel::stokeslet)
+  if (kind == PointKind::force)
   {
     diagonal = points.weight[row] * over_r;
     along = diagonal * square;
@@ -151,7 +148,7 @@ Eigen::Matrix<double, 1, 6> block_of_point(
   else
     along = points.weight[row] * over_r * square * square *
       X.dot(points.surface.cross.row(row).normalized());
-  Eigen::Matrix<double, 1, 6> block;
+  Block<stokeslet_components> block;
   block << diagonal + along * X.x() * X.x(), along * X.x() * X.y(), along * X.x() * X.z(),
     diagonal + along * X.y() * X.y(), along * X.y() * X.z(), diagonal + along * X.z() * X.z();
   return block;
@@ -159,20 +156,61 @@ Eigen::Matrix<double, 1, 6> block_of_point(
 
 }
 
+NearVertices near_vertices(
+  const LayerRules& rules, const Points& control, const std::vector<VertexGroup>& others)
+{
+  NearVertices near;
+  const PanelBasis& basis = rules.panels();
+  SurfacePanels panels(basis, control);
+  ElementSpheres spheres(basis, panels);
+  std::vector<int> candidates;
+  std::vector<Eigen::RowVector3d> places;
+  for (const VertexGroup& other : others)
+    if (spheres.box.intersects(other.box))
+      for (int i = 0; i < other.vertices->rows(); ++i)
+        if (spheres.box.contains(other.vertices->row(i).transpose()))
+        {
+          candidates.push_back(other.first + i);
+          places.emplace_back(other.vertices->row(i));
+        }
+  const SpheresAround search(std::move(spheres.centers), std::move(spheres.reach));
+  near.elements.start.push_back(0);
+  std::vector<int> found;
+  for (std::size_t k = 0; k < candidates.size(); ++k)
+    if (search.find(places[k].transpose(), found); !found.empty())
+    {
+      near.vertex.push_back(candidates[k]);
+      near.elements.item.insert(near.elements.item.end(), found.begin(), found.end());
+      near.elements.start.push_back(static_cast<int>(near.elements.item.size()));
+    }
+  if (!near.vertex.empty())
+    near.panels = std::move(panels);
+  return near;
+}
+
 std::vector<NearVertices> near_vertices(const std::vector<LayerSurface>& surfaces)
 {
-  std::vector<Box> boxes;
+  std::vector<VertexGroup> groups;
+  int first = 0;
   for (const LayerSurface& surface : surfaces)
-    boxes.push_back(bounding_box(surface.vertices));
+  {
+    groups.push_back({ first, &surface.vertices, bounding_box(surface.vertices) });
+    first += static_cast<int>(surface.vertices.rows());
+  }
   std::vector<NearVertices> result(surfaces.size());
-  parallel_for(
-    surfaces.size(), [&](std::size_t s) { result[s] = near_vertices(surfaces, boxes, s); });
+  parallel_for(surfaces.size(),
+    [&](std::size_t s)
+    {
+      std::vector<VertexGroup> others = groups;
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(s));
+      result[s] = near_vertices(*surfaces[s].rules, surfaces[s].control, others);
+    });
   return result;
 }
 
 NearSurfaceCorrections::NearSurfaceCorrections(
-  const Surface& surface, const Points& vertices, const NearVertices& near, LayerKernel kernel)
-  : vertex_(near.vertex)
+  const Surface& surface, const Points& vertices, const NearVertices& near, PointKind kind)
+  : block_size_(is_image(kind) ? image_components : stokeslet_components), vertex_(near.vertex)
 {
   for (int row = 0; row < static_cast<int>(vertex_.size()); ++row)
   {
@@ -186,30 +224,38 @@ NearSurfaceCorrections::NearSurfaceCorrections(
     node_.erase(std::unique(node_.begin() + first, node_.end()), node_.end());
     start_.push_back(node_.size());
   }
-  blocks_.assign(6 * node_.size(), 0);
+  blocks_.assign(block_size_ * node_.size(), 0);
   constexpr int grain = 4;
   parallel_for(
     static_cast<int>(vertex_.size()),
-    [&](int row) { fill(surface, near, kernel, row, vertices.row(vertex_[row]).transpose()); },
+    [&](int row)
+    {
+      const Vector3 x = vertices.row(vertex_[row]).transpose();
+      if (is_image(kind))
+        fill<image_components>(surface, near, kind, row, x);
+      else
+        fill<stokeslet_components>(surface, near, kind, row, x);
+    },
     grain);
 }
 
+template<int size>
 void NearSurfaceCorrections::fill(
-  const Surface& surface, const NearVertices& near, LayerKernel kernel, int row, const Vector3& x)
+  const Surface& surface, const NearVertices& near, PointKind kind, int row, const Vector3& x)
 {
   const auto begin = node_.begin() + static_cast<std::ptrdiff_t>(start_[row]),
              end = node_.begin() + static_cast<std::ptrdiff_t>(start_[row + 1]);
   const auto block_of = [&](int node)
   {
-    return Eigen::Map<Eigen::Matrix<double, 1, 6>>(
-      blocks_.data() + 6 * (std::lower_bound(begin, end, node) - node_.begin()));
+    return Eigen::Map<Block<size>>(
+      blocks_.data() + size * (std::lower_bound(begin, end, node) - node_.begin()));
   };
   const auto add_rule =
     [&](const LayerRules::Rule& rule, const LayerPoints& points, int element, double sign)
   {
     for (int q = rule.start[element]; q < rule.start[element + 1]; ++q)
     {
-      const Eigen::Matrix<double, 1, 6> block = sign * block_of_point(points, q, kernel, x);
+      const Block<size> block = sign * block_of_point<size>(points, q, kind, x);
       for (int k = rule.table.start[q]; k < rule.table.start[q + 1]; ++k)
         block_of(rule.table.node[k]) += rule.table.value[k] * block;
     }
@@ -230,7 +276,7 @@ void NearSurfaceCorrections::fill(
     const std::span<const int> nodes = basis.nodes(*e);
     for (int panel = basis.first(*e); panel < basis.first(*e + 1); ++panel)
     {
-      const Blocks of_terms = moments(*near.panels, panel, kernel, x);
+      const Blocks<size> of_terms = moments<size>(*near.panels, panel, kind, x);
       const auto C = basis.coefficients(panel);
       for (std::size_t k = 0; k < nodes.size(); ++k)
         block_of(nodes[k]) += C.col(static_cast<Eigen::Index>(k)).transpose().lazyProduct(of_terms);
@@ -248,9 +294,12 @@ void NearSurfaceCorrections::add(const Eigen::VectorXd& density, Points& velocit
       Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
       for (std::size_t k = start_[row]; k < start_[row + 1]; ++k)
       {
-        const double *f = density.data() + 3L * node_[k], *g = blocks_.data() + 6 * k;
-        sum += Eigen::RowVector3d(g[0] * f[0] + g[1] * f[1] + g[2] * f[2],
-          g[1] * f[0] + g[3] * f[1] + g[4] * f[2], g[2] * f[0] + g[4] * f[1] + g[5] * f[2]);
+        const double *f = density.data() + 3L * node_[k], *g = blocks_.data() + block_size_ * k;
+        if (block_size_ == image_components)
+          sum += Eigen::Map<const Eigen::RowVector3d>(f) * Eigen::Map<const Eigen::Matrix3d>(g);
+        else
+          sum += Eigen::RowVector3d(g[0] * f[0] + g[1] * f[1] + g[2] * f[2],
+            g[1] * f[0] + g[3] * f[1] + g[4] * f[2], g[2] * f[0] + g[4] * f[1] + g[5] * f[2]);
       }
       velocity.row(vertex_[row]) += sum;
     },

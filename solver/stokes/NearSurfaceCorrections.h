@@ -1,9 +1,12 @@
 #pragma once
-// A layer near its surface at the vertices of other surfaces: what a rule made for each of these
-// gives less what the regular rule does. A sparse matrix.
+// A layer near its surface at vertices beside it: what a rule made for each of these gives less what
+// the regular rule does. A sparse matrix.
 
 #include "solver/stokes/LayerRules.h"
 #include "solver/stokes/SurfacePanels.h"
+#include "solver/stokes/kernels/StokesletKernel.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <optional>
@@ -14,7 +17,7 @@ namespace vesicle
 struct LayerPoints;
 struct LayerSurface;
 
-/// The vertices of other surfaces that are near one, by their numbers among all, ascending, and the
+/// The vertices that are near a surface and not its own, by their numbers among all, ascending, and the
 /// elements that each of them is near to.
 ///
 /// Elements farther from a vertex than about their own size have the near rule that vertices of the
@@ -27,16 +30,21 @@ struct NearVertices
   std::optional<SurfacePanels> panels; ///< the surface's; none where no vertex is near
 };
 
-/// Of each surface. Threads share the surfaces.
+/// Vertices that may be near, numbered from `first`, and the box around them.
+struct VertexGroup
+{
+  int first;
+  const Points* vertices;
+  Eigen::AlignedBox3d box;
+};
+NearVertices near_vertices(
+  const LayerRules& rules, const Points& control, const std::vector<VertexGroup>& others);
+/// Of each surface to the others' vertices. Threads share the surfaces.
 std::vector<NearVertices> near_vertices(const std::vector<LayerSurface>& surfaces);
 
-enum class LayerKernel
-{
-  stokeslet, ///< G/8πμ, μ = 1
-  stresslet  ///< X X (X·n)/8π r⁵ (DoubleLayer.h)
-};
-
-/// Between the nodes of one surface and the vertices near it, at one shape.
+/// Between the nodes of one surface and the vertices near it, at one shape. Kernels are those of the
+/// kinds of points over 8πμ, μ = 1, stresslets with X X (X·n)/r⁵ (DoubleLayer.h). For images the
+/// surface is the mirrored one, in the wall's frame (WallImages.h).
 class NearSurfaceCorrections
 {
 public:
@@ -47,13 +55,14 @@ public:
   };
   /// `vertices`: all.
   NearSurfaceCorrections(
-    const Surface& surface, const Points& vertices, const NearVertices& near, LayerKernel kernel);
+    const Surface& surface, const Points& vertices, const NearVertices& near, PointKind kind);
 
   /// To the velocities at all vertices what f = Σ N_k f_k adds. Threads share the vertices; results
   /// do not depend on their number.
   void add(const Eigen::VectorXd& density, Points& velocity) const;
 
-  /// visit(node, block) for a vertex by its number among all; the block's xx, xy, xz, yy, yz, zz.
+  /// visit(node, block) for a vertex by its number among all; the block's xx, xy, xz, yy, yz, zz. Not of
+  /// images.
   template<class Visit>
   void for_each_node(int vertex, Visit visit) const
   {
@@ -66,9 +75,11 @@ public:
   }
 
 private:
-  void fill(const Surface& surface, const NearVertices& near, LayerKernel kernel, int row,
-    const Vector3& x);
+  template<int size>
+  void fill(
+    const Surface& surface, const NearVertices& near, PointKind kind, int row, const Vector3& x);
 
+  int block_size_; ///< numbers a block: 6 of a symmetric one, or 9, its rows
   std::vector<int> vertex_, node_;
   std::vector<std::size_t> start_{ 0 }; ///< of each vertex, in the nodes
   std::vector<double> blocks_;          ///< of each node in the list

@@ -28,20 +28,16 @@ PanelContrast::PanelContrast(const SurfacePanels& panels) : panels_(panels)
   rows_per_panel_ = static_cast<int>(rule.size());
   const int rows = panels_.size() * rows_per_panel_;
   position_ = velocity_ = area_ = RowVectors(rows, 3);
-  strength_.resize(rows, 6);
   int row = 0;
   for (int panel = 0; panel < panels_.size(); ++panel)
     for (const TrianglePoint& p : rule)
     {
       const SurfacePanels::Motion motion = panels_.motion(panel, p.u, p.v);
-      const Vector3 &u = motion.velocity, n = factor * p.weight * motion.area;
       position_.row(row) = motion.position.transpose();
-      velocity_.row(row) = u.transpose();
-      area_.row(row) = n.transpose();
-      strength_.row(row++) << u.x() * n.x(), (u.x() * n.y() + u.y() * n.x()) / 2,
-        (u.x() * n.z() + u.z() * n.x()) / 2, u.y() * n.y(), (u.y() * n.z() + u.z() * n.y()) / 2,
-        u.z() * n.z();
+      velocity_.row(row) = motion.velocity.transpose();
+      area_.row(row++) = factor * p.weight * motion.area.transpose();
     }
+  strength_ = symmetric_products(velocity_, area_);
 }
 
 Vector3 PanelContrast::near_surface(const Vector3& x, std::span<const int> near, bool inside) const

@@ -17,6 +17,28 @@ constexpr int fewest_tasks = 32;
 
 }
 
+Eigen::Matrix<double, Eigen::Dynamic, 6> symmetric_products(
+  const RowVectors& a, const RowVectors& b)
+{
+  const auto x = a.array(), y = b.array();
+  Eigen::Array<double, Eigen::Dynamic, 6> s(a.rows(), 6);
+  s.col(0) = x.col(0) * y.col(0);
+  s.col(1) = (x.col(0) * y.col(1) + x.col(1) * y.col(0)) / 2;
+  s.col(2) = (x.col(0) * y.col(2) + x.col(2) * y.col(0)) / 2;
+  s.col(3) = x.col(1) * y.col(1);
+  s.col(4) = (x.col(1) * y.col(2) + x.col(2) * y.col(1)) / 2;
+  s.col(5) = x.col(2) * y.col(2);
+  return s;
+}
+
+Eigen::RowVector3d summation_origin(PointKind kind, const Points& targets)
+{
+  Eigen::RowVector3d origin = targets.colwise().mean();
+  if (is_image(kind))
+    origin.z() = 0;
+  return origin;
+}
+
 template<PointKind kind>
 template<class Real>
 template<class To>
@@ -25,11 +47,10 @@ typename DirectPointSum<kind>::template Places<To> DirectPointSum<kind>::Places<
   return { sources.template cast<To>(), { targets.begin(), targets.end() } };
 }
 
-// Around the targets' mean, where single precision has the most digits.
 template<PointKind kind>
 DirectPointSum<kind>::DirectPointSum(const RowVectors& sources, const Points& targets)
 {
-  const Eigen::RowVector3d origin = targets.colwise().mean();
+  const Eigen::RowVector3d origin = summation_origin(kind, targets);
   full_.sources = (sources.rowwise() - origin).array();
   full_.targets = in_blocks<double>(targets.rowwise() - origin);
   single_ = full_.template cast<float>();
@@ -40,7 +61,7 @@ template<class Real>
 void DirectPointSum<kind>::add(const Places<Real>& at,
   const Eigen::Ref<const Eigen::MatrixXd>& strengths, Points& velocity) const
 {
-  constexpr int components = static_cast<int>(kind);
+  constexpr int components = components_of(kind);
   const Eigen::Array<Real, Eigen::Dynamic, components> strength =
     strengths.array().template cast<Real>();
   const int blocks = static_cast<int>(at.targets.size()) / block_size,
@@ -54,7 +75,7 @@ void DirectPointSum<kind>::add(const Places<Real>& at,
       for (int q = 0; q < sources; q += chunk)
       {
         const auto of_chunk =
-          point_sources<components>(at.sources, strength, q, std::min(chunk, sources - q));
+          point_sources<kind>(at.sources, strength, q, std::min(chunk, sources - q));
         for (int b = 0; b < count; ++b)
           add_points(
             of_chunk, at.targets.data() + (first + b) * block_size, sum.data() + b * block_size);
@@ -77,5 +98,7 @@ void DirectPointSum<kind>::add(
 
 template class DirectPointSum<PointKind::force>;
 template class DirectPointSum<PointKind::stresslet>;
+template class DirectPointSum<PointKind::force_image>;
+template class DirectPointSum<PointKind::stresslet_image>;
 
 }

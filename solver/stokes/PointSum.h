@@ -3,7 +3,11 @@
 // knows nothing of surfaces.
 
 #include "solver/mesh/TriangleMesh.h"
+#include "solver/stokes/kernels/StokesletKernel.h"
 #include "solver/surface/SurfaceIntegrals.h"
+
+#include <functional>
+#include <memory>
 
 #include <vector>
 
@@ -18,14 +22,6 @@ enum class Precision
 /// Relative to the velocity, root mean square: points on a sphere and random forces leave 7e-6.
 inline constexpr double single_precision_error = 1e-5;
 
-/// What acts at a source, by its number of components: a force f, whose velocity is G f, or a
-/// symmetric tensor s (xx, xy, xz, yy, yz, zz), whose velocity is X (X·s X)/r⁵.
-enum class PointKind
-{
-  force = 3,
-  stresslet = 6
-};
-
 /// Where the points are is set once. The place of a tree, an FMM or another device.
 class PointSum
 {
@@ -36,6 +32,17 @@ public:
   virtual void add(const Eigen::Ref<const Eigen::MatrixXd>& strengths, Precision precision,
     Points& velocity) const = 0;
 };
+
+/// What makes a sum between sources and targets.
+using MakePointSum =
+  std::function<std::unique_ptr<const PointSum>(const RowVectors& sources, const Points& targets)>;
+
+/// The symmetric parts of a bᵀ, row by row: xx, xy, xz, yy, yz, zz.
+Eigen::Matrix<double, Eigen::Dynamic, 6> symmetric_products(
+  const RowVectors& a, const RowVectors& b);
+
+/// Where single precision has the most digits: from this origin. An image's wall stays z = 0.
+Eigen::RowVector3d summation_origin(PointKind kind, const Points& targets);
 
 /// Pair by pair. No target may be a source. Threads share the targets; results do not depend on their
 /// number.
@@ -67,5 +74,7 @@ using DirectSum = DirectPointSum<PointKind::force>;
 
 extern template class DirectPointSum<PointKind::force>;
 extern template class DirectPointSum<PointKind::stresslet>;
+extern template class DirectPointSum<PointKind::force_image>;
+extern template class DirectPointSum<PointKind::stresslet_image>;
 
 }

@@ -146,7 +146,7 @@ void StokesOperator::for_each_group(int source, Write write) const
   std::iota(place.begin(), place.end(), 0);
   std::optional<NearSurfaceCorrections> near;
   if (surfaces_.size() > 1)
-    near = near_surface_corrections(source, LayerKernel::stokeslet);
+    near = near_surface_corrections(source, PointKind::force);
   for (int s = 0; s < static_cast<int>(surfaces_.size()); ++s)
     parallel_for(static_cast<int>(surfaces_[s].rules->groups().size()),
       [&](int number)
@@ -333,11 +333,10 @@ LayerCorrections StokesOperator::corrections(int source) const
   return corrections(source, node_sources(source), add_stokeslets);
 }
 
-NearSurfaceCorrections StokesOperator::near_surface_corrections(
-  int source, LayerKernel kernel) const
+NearSurfaceCorrections StokesOperator::near_surface_corrections(int source, PointKind kind) const
 {
   const auto& [regular, near, singular] = points_[source];
-  return { { *surfaces_[source].rules, regular, near }, targets(), near_[source], kernel };
+  return { { *surfaces_[source].rules, regular, near }, targets(), near_[source], kind };
 }
 
 LayerCorrections StokesOperator::double_layer_corrections(int source) const

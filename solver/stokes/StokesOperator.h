@@ -72,7 +72,7 @@ public:
   LayerCorrections double_layer_corrections(int source) const;
   /// What finer rules add to a source's regular one at vertices of other surfaces near it. Only where
   /// there are several surfaces.
-  NearSurfaceCorrections near_surface_corrections(int source, LayerKernel kernel) const;
+  NearSurfaceCorrections near_surface_corrections(int source, PointKind kind) const;
   int surfaces() const { return static_cast<int>(surfaces_.size()); }
   const LayerSurface& surface(int source) const { return surfaces_[source]; }
   int first_vertex(int source) const { return first_[source]; }

@@ -16,14 +16,14 @@ inline constexpr int block_size = 3 * sum_lanes; ///< numbers
 inline constexpr int most_blocks_a_task = 4;
 
 /// `count` rows from `first` on of positions and strengths, a component a column.
-template<int components, class Positions, class Strengths>
+template<PointKind kind, class Positions, class Strengths>
 auto point_sources(const Positions& x, const Strengths& s, int first, int count)
 {
   using Real = typename Positions::Scalar;
-  PointSources<Real, components> sources{ {}, {}, count };
+  PointSources<Real, kind> sources{ {}, {}, count };
   for (int c = 0; c < 3; ++c)
     sources.position[c] = &x(first, c);
-  for (int c = 0; c < components; ++c)
+  for (int c = 0; c < components_of(kind); ++c)
     sources.strength[c] = &s(first, c);
   return sources;
 }

@@ -11,8 +11,7 @@ template<PointKind kind>
 template<class Real>
 TreePointSum<kind>::Tree<Real>::Tree(const RowVectors& from, const Points& to, double tolerance)
 {
-  // Around the targets' mean, where single precision has the most digits.
-  const Eigen::RowVector3d origin = to.colwise().mean();
+  const Eigen::RowVector3d origin = summation_origin(kind, to);
   const RowVectors sources_at = from.rowwise() - origin, targets_at = to.rowwise() - origin;
   ClusterTree source_tree(sources_at, tolerance, sum_lanes),
     target_tree(targets_at, tolerance, sum_lanes);
@@ -48,7 +47,7 @@ template<class Real>
 void TreePointSum<kind>::Tree<Real>::add(
   const Eigen::Ref<const Eigen::MatrixXd>& strengths, Points& velocity) const
 {
-  constexpr int components = static_cast<int>(kind);
+  constexpr int components = components_of(kind);
   Eigen::Array<Real, Eigen::Dynamic, components> f(sources->positions().rows(), components);
   for (int c = 0; c < components; c += 3)
     f.template middleCols<3>(c) = sources->up(strengths.middleCols<3>(c)).array();
@@ -61,7 +60,7 @@ void TreePointSum<kind>::Tree<Real>::add(
       std::array<Real, most_blocks_a_task * block_size> sum{};
       for (const RowRange& rows : acting[task.acting])
       {
-        const auto of_range = point_sources<components>(x, f, rows.first, rows.count);
+        const auto of_range = point_sources<kind>(x, f, rows.first, rows.count);
         for (int b = 0; b < task.blocks; ++b)
           add_points(of_range, target_positions.data() + (task.first_block + b) * block_size,
             sum.data() + b * block_size);
@@ -92,5 +91,7 @@ void TreePointSum<kind>::add(
 
 template class TreePointSum<PointKind::force>;
 template class TreePointSum<PointKind::stresslet>;
+template class TreePointSum<PointKind::force_image>;
+template class TreePointSum<PointKind::stresslet_image>;
 
 }

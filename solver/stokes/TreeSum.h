@@ -48,5 +48,7 @@ using TreeSum = TreePointSum<PointKind::force>;
 
 extern template class TreePointSum<PointKind::force>;
 extern template class TreePointSum<PointKind::stresslet>;
+extern template class TreePointSum<PointKind::force_image>;
+extern template class TreePointSum<PointKind::stresslet_image>;
 
 }

@@ -59,6 +59,18 @@ void add_stresslet_moments(
   loops().add_stresslet_moments(points, panel, target, sum);
 }
 
+void add_stokeslet_image_moments(
+  const PanelPoints& points, const PanelShape& panel, const double* target, double* sum)
+{
+  loops().add_stokeslet_image_moments(points, panel, target, sum);
+}
+
+void add_stresslet_image_moments(
+  const PanelPoints& points, const PanelShape& panel, const double* target, double* sum)
+{
+  loops().add_stresslet_image_moments(points, panel, target, sum);
+}
+
 void add_velocities(const ForceSources& sources, int begin, int end, const double* targets,
   const double* mask, double* sum)
 {
@@ -83,6 +95,27 @@ void add_points(const PointStresslets<double>& sources, const double* targets, d
 void add_points(const PointStresslets<float>& sources, const float* targets, float* velocities)
 {
   loops().add_stresslets_float(sources, targets, velocities);
+}
+
+void add_points(const PointForceImages<double>& sources, const double* targets, double* velocities)
+{
+  loops().add_force_images_double(sources, targets, velocities);
+}
+
+void add_points(const PointForceImages<float>& sources, const float* targets, float* velocities)
+{
+  loops().add_force_images_float(sources, targets, velocities);
+}
+
+void add_points(
+  const PointStressletImages<double>& sources, const double* targets, double* velocities)
+{
+  loops().add_stresslet_images_double(sources, targets, velocities);
+}
+
+void add_points(const PointStressletImages<float>& sources, const float* targets, float* velocities)
+{
+  loops().add_stresslet_images_float(sources, targets, velocities);
 }
 
 double dot(const double* a, const double* b, long n)

@@ -71,6 +71,15 @@ void add_stokeslet_moments(
 void add_stresslet_moments(
   const PanelPoints& points, const PanelShape& panel, const double* target, double* sum);
 
+/// Numbers of an image's block, which isn't symmetric: its rows, one after the other.
+inline constexpr int image_components = 9;
+/// As add_stokeslet_moments and add_stresslet_moments, of the images in the wall z = 0 (WallImage.h): the
+/// panel is a mirrored one, whose normal a_u × a_v points inward. sum[9 t + component].
+void add_stokeslet_image_moments(
+  const PanelPoints& points, const PanelShape& panel, const double* target, double* sum);
+void add_stresslet_image_moments(
+  const PanelPoints& points, const PanelShape& panel, const double* target, double* sum);
+
 /// Source points with a known force.
 struct ForceSources : StokesletSources
 {
@@ -84,31 +93,58 @@ struct ForceSources : StokesletSources
 void add_velocities(const ForceSources& sources, int begin, int end, const double* targets,
   const double* mask, double* sum);
 
-/// What acts at points, one array a component.
-template<class Real, int components>
+/// Fields that are summed over points, X from the target to the source. An image is what a wall z = 0
+/// that sticks adds to a source's field; its position and strength are the mirrored source's
+/// (WallImage.h).
+enum class PointKind
+{
+  force,          ///< of a force f: G f
+  stresslet,      ///< of a symmetric tensor s: X (X·s X)/r⁵
+  force_image,    ///< of f
+  stresslet_image ///< of s
+};
+constexpr int components_of(PointKind kind)
+{
+  return kind == PointKind::force || kind == PointKind::force_image ? 3 : 6;
+}
+constexpr bool is_image(PointKind kind)
+{
+  return kind == PointKind::force_image || kind == PointKind::stresslet_image;
+}
+
+/// What acts at points, one array a component: x, y, z, or xx, xy, xz, yy, yz, zz.
+template<class Real, PointKind kind>
 struct PointSources
 {
   std::array<const Real*, 3> position;
-  std::array<const Real*, components> strength;
+  std::array<const Real*, components_of(kind)> strength;
   int count;
 };
-/// f.
 template<class Real>
-using PointForces = PointSources<Real, 3>;
-/// xx, xy, xz, yy, yz, zz of a symmetric tensor s.
+using PointForces = PointSources<Real, PointKind::force>;
 template<class Real>
-using PointStresslets = PointSources<Real, 6>;
+using PointStresslets = PointSources<Real, PointKind::stresslet>;
+template<class Real>
+using PointForceImages = PointSources<Real, PointKind::force_image>;
+template<class Real>
+using PointStressletImages = PointSources<Real, PointKind::stresslet_image>;
 
 /// Targets of a sum over points.
 inline constexpr int sum_lanes = 16;
 
-/// Σ G f, or Σ X (X·s X)/r⁵, at the targets x, y, z of sum_lanes each is added to `velocities`, which
+/// The sources' fields at the targets x, y, z of sum_lanes each are added to `velocities`, which
 /// lie as they do. A target must not be a source. Single precision leaves an error of some 1e-5 of
 /// the velocity.
 void add_points(const PointForces<double>& sources, const double* targets, double* velocities);
 void add_points(const PointForces<float>& sources, const float* targets, float* velocities);
 void add_points(const PointStresslets<double>& sources, const double* targets, double* velocities);
 void add_points(const PointStresslets<float>& sources, const float* targets, float* velocities);
+void add_points(const PointForceImages<double>& sources, const double* targets, double* velocities);
+void add_points(const PointForceImages<float>& sources, const float* targets, float* velocities);
+void add_points(
+  const PointStressletImages<double>& sources, const double* targets, double* velocities);
+void add_points(
+  const PointStressletImages<float>& sources, const float* targets, float* velocities);
 
 /// Σ a_i b_i.
 double dot(const double* a, const double* b, long n);

@@ -18,6 +18,10 @@ struct StokesletLoops
     const PanelPoints& points, const PanelShape& panel, const double* target, double* sum);
   void (*add_stresslet_moments)(
     const PanelPoints& points, const PanelShape& panel, const double* target, double* sum);
+  void (*add_stokeslet_image_moments)(
+    const PanelPoints& points, const PanelShape& panel, const double* target, double* sum);
+  void (*add_stresslet_image_moments)(
+    const PanelPoints& points, const PanelShape& panel, const double* target, double* sum);
   void (*add_velocities)(const ForceSources& sources, int begin, int end, const double* targets,
     const double* mask, double* sum);
   void (*add_forces_double)(
@@ -28,6 +32,14 @@ struct StokesletLoops
     const PointStresslets<double>& stresslets, const double* targets, double* velocities);
   void (*add_stresslets_float)(
     const PointStresslets<float>& stresslets, const float* targets, float* velocities);
+  void (*add_force_images_double)(
+    const PointForceImages<double>& forces, const double* targets, double* velocities);
+  void (*add_force_images_float)(
+    const PointForceImages<float>& forces, const float* targets, float* velocities);
+  void (*add_stresslet_images_double)(
+    const PointStressletImages<double>& stresslets, const double* targets, double* velocities);
+  void (*add_stresslet_images_float)(
+    const PointStressletImages<float>& stresslets, const float* targets, float* velocities);
   double (*dot)(const double* a, const double* b, long n);
 };
 

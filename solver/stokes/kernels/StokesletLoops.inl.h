@@ -321,9 +321,25 @@ VESICLE_INLINE void evaluate(
     p.cross[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
 }
 
-// xx, xy, xz, yy, yz, zz of weight · kernel dS/8πμ at points of a panel.
-template<bool stresslet, int degree>
-VESICLE_INLINE void components(
+// dS/(du dv).
+template<int degree>
+VESICLE_INLINE void area_element(Lanes& area, const PanelPlaces<degree>& p)
+{
+  const Lanes square = p.cross[0] * p.cross[0] + p.cross[1] * p.cross[1] + p.cross[2] * p.cross[2];
+  Lanes inverse;
+  inverse_root(inverse, square);
+  area = square * inverse;
+}
+
+// Of a panel's kernel by the kind of its points: xx, xy, xz, yy, yz, zz, or an image's rows.
+constexpr int block_size_of(PointKind kind)
+{
+  return is_image(kind) ? image_components : stokeslet_components;
+}
+
+// weight · kernel dS/8πμ at points of a panel.
+template<PointKind kind, int degree>
+VESICLE_INLINE std::enable_if_t<!is_image(kind)> components(
   Lanes g[6], const PanelPlaces<degree>& p, const Lanes& weight, const double* target)
 {
   const Lanes dx = p.position[0] - target[0], dy = p.position[1] - target[1],
@@ -332,15 +348,13 @@ VESICLE_INLINE void components(
   inverse_root(inverse, dx * dx + dy * dy + dz * dz);
   const Lanes square = inverse * inverse, share = kernel_factor * weight * inverse;
   Lanes over_r{}, along;
-  if constexpr (stresslet)
+  if constexpr (kind == PointKind::stresslet)
     along = share * square * square * (p.cross[0] * dx + p.cross[1] * dy + p.cross[2] * dz);
   else
   {
-    const Lanes area_square =
-      p.cross[0] * p.cross[0] + p.cross[1] * p.cross[1] + p.cross[2] * p.cross[2];
-    Lanes over_area;
-    inverse_root(over_area, area_square);
-    over_r = share * area_square * over_area;
+    Lanes area;
+    area_element(area, p);
+    over_r = share * area;
     along = over_r * square;
   }
   const Lanes hx = along * dx, hy = along * dy, hz = along * dz;
@@ -352,52 +366,117 @@ VESICLE_INLINE void components(
   g[5] = over_r + hz * dz;
 }
 
-template<int degree, bool stresslet>
+// Rows of the image's block in WallImage.h, of the force or of n uᵀ for u, times the weight.
+template<PointKind kind, int degree>
+VESICLE_INLINE std::enable_if_t<is_image(kind)> components(
+  Lanes g[9], const PanelPlaces<degree>& p, const Lanes& weight, const double* target)
+{
+  const Lanes d[3] = { p.position[0] - target[0], p.position[1] - target[1],
+    p.position[2] - target[2] };
+  Lanes inverse;
+  inverse_root(inverse, d[0] * d[0] + d[1] * d[1] + d[2] * d[2]);
+  const Lanes square = inverse * inverse, share = kernel_factor * weight * inverse,
+              h = -p.position[2], z = Lanes{} + target[2];
+  Lanes scale, unit, dd, d3, e3d, e33{};
+  if constexpr (kind == PointKind::force_image)
+  {
+    Lanes area;
+    area_element(area, p);
+    scale = share * area;
+    unit = -1 - 2 * z * h * square;
+    dd = square * (6 * z * h * square - 1);
+    d3 = -2 * z * square;
+    e3d = -2 * h * square;
+    e33 = Lanes{} + 2;
+  }
+  else
+  {
+    scale = share * square * square;
+    const Lanes along = -(p.cross[0] * d[0] + p.cross[1] * d[1] + p.cross[2] * d[2]);
+    unit = -2 * z * h * along;
+    dd = along * (10 * z * h * square - 1);
+    d3 = 2 * z;
+    e3d = -2 * h * along;
+  }
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+    {
+      Lanes entry = dd * d[i] * d[j];
+      if (i == j)
+        entry += unit;
+      if (i == 2)
+        entry += e3d * d[j];
+      if constexpr (kind == PointKind::force_image)
+      {
+        if (j == 2)
+          entry += d3 * d[i];
+        if (i == 2 && j == 2)
+          entry += e33;
+      }
+      else
+        entry += d3 * (h * p.cross[i] * d[j] - z * d[i] * p.cross[j]);
+      g[3 * i + j] = scale * entry;
+    }
+}
+
+template<int degree, PointKind kind>
 VESICLE_INLINE void add_moments(
   const PanelPoints& points, const PanelShape& panel, const double* target, double* sum)
 {
-  constexpr int terms = PanelPlaces<degree>::terms;
-  Lanes total[terms][6];
+  constexpr int terms = PanelPlaces<degree>::terms, size = block_size_of(kind);
+  Lanes total[terms][size];
   std::memset(&total, 0, sizeof total);
   for (int q = 0; q < points.count; q += lanes)
   {
-    Lanes u, v, weight, g[6];
+    Lanes u, v, weight, g[size];
     load(u, points.u + q);
     load(v, points.v + q);
     load(weight, points.weight + q);
     PanelPlaces<degree> p;
     evaluate<degree>(p, panel, u, v);
-    components<stresslet, degree>(g, p, weight, target);
+    components<kind, degree>(g, p, weight, target);
     for (int t = 0; t < terms; ++t)
-      for (int c = 0; c < 6; ++c)
+      for (int c = 0; c < size; ++c)
         total[t][c] += p.monomial[t] * g[c];
   }
   for (int t = 0; t < terms; ++t)
-    for (int c = 0; c < 6; ++c)
+    for (int c = 0; c < size; ++c)
       for (int i = 0; i < lanes; ++i)
-        sum[6 * t + c] += total[t][c][i];
+        sum[size * t + c] += total[t][c][i];
 }
 
-template<bool stresslet>
+template<PointKind kind>
 VESICLE_INLINE void add_moments_of(
   const PanelPoints& points, const PanelShape& panel, const double* target, double* sum)
 {
   if (panel.degree == 1)
-    add_moments<1, stresslet>(points, panel, target, sum);
+    add_moments<1, kind>(points, panel, target, sum);
   else
-    add_moments<4, stresslet>(points, panel, target, sum);
+    add_moments<4, kind>(points, panel, target, sum);
 }
 
 void add_stokeslet_moments(
   const PanelPoints& points, const PanelShape& panel, const double* target, double* sum)
 {
-  add_moments_of<false>(points, panel, target, sum);
+  add_moments_of<PointKind::force>(points, panel, target, sum);
 }
 
 void add_stresslet_moments(
   const PanelPoints& points, const PanelShape& panel, const double* target, double* sum)
 {
-  add_moments_of<true>(points, panel, target, sum);
+  add_moments_of<PointKind::stresslet>(points, panel, target, sum);
+}
+
+void add_stokeslet_image_moments(
+  const PanelPoints& points, const PanelShape& panel, const double* target, double* sum)
+{
+  add_moments_of<PointKind::force_image>(points, panel, target, sum);
+}
+
+void add_stresslet_image_moments(
+  const PanelPoints& points, const PanelShape& panel, const double* target, double* sum)
+{
+  add_moments_of<PointKind::stresslet_image>(points, panel, target, sum);
 }
 
 template<class Real>
@@ -427,10 +506,42 @@ VESICLE_INLINE void add_velocity(Wide<Real> u[3], const PointStresslets<Real>& s
   u[2] += along * dz;
 }
 
+// The images: their source's z is −h, z of the target follows from dz.
+template<class Real>
+VESICLE_INLINE void add_velocity(Wide<Real> u[3], const PointForceImages<Real>& s, int q,
+  const Wide<Real>& dx, const Wide<Real>& dy, const Wide<Real>& dz, const Wide<Real>& over_r)
+{
+  const Real fx = s.strength[0][q], fy = s.strength[1][q], fz = s.strength[2][q],
+             h = -s.position[2][q];
+  const Wide<Real> square = over_r * over_r, z2 = -2 * (h + dz), f = fx * dx + fy * dy + fz * dz,
+                   hf = h * square * f, along = square * (z2 * (3 * hf - fz) - f),
+                   unit = -1 - h * z2 * square;
+  u[0] += over_r * (along * dx + fx * unit);
+  u[1] += over_r * (along * dy + fy * unit);
+  u[2] += over_r * (along * dz + fz * unit + 2 * (fz - hf));
+}
+
+template<class Real>
+VESICLE_INLINE void add_velocity(Wide<Real> u[3], const PointStressletImages<Real>& s, int q,
+  const Wide<Real>& dx, const Wide<Real>& dy, const Wide<Real>& dz, const Wide<Real>& over_r)
+{
+  const Real xx = s.strength[0][q], xy = s.strength[1][q], xz = s.strength[2][q],
+             yy = s.strength[3][q], yz = s.strength[4][q], zz = s.strength[5][q],
+             h = -s.position[2][q], trace = xx + yy + zz;
+  const Wide<Real> square = over_r * over_r, z = -(h + dz), sx = xx * dx + xy * dy + xz * dz,
+                   sy = xy * dx + yy * dy + yz * dz, sz = xz * dx + yz * dy + zz * dz,
+                   dsd = dx * sx + dy * sy + dz * sz,
+                   along = 2 * z * (5 * h * dsd * square + trace * z) - dsd, across = -4 * h * z,
+                   scale = over_r * square * square;
+  u[0] += scale * (along * dx + across * sx);
+  u[1] += scale * (along * dy + across * sy);
+  u[2] += scale * (along * dz + across * sz - 2 * h * dsd);
+}
+
 // Two vectors of targets side by side, so that one's arithmetic fills the other's waits.
-template<class Real, int components>
+template<class Real, PointKind kind>
 VESICLE_INLINE void add_sources_at(
-  const PointSources<Real, components>& s, const Real* targets, Real* velocities)
+  const PointSources<Real, kind>& s, const Real* targets, Real* velocities)
 {
   constexpr int width = bytes / sizeof(Real), vectors = width < sum_lanes ? 2 : 1;
   Wide<Real> x[vectors][3], u[vectors][3];
@@ -454,9 +565,9 @@ VESICLE_INLINE void add_sources_at(
       std::memcpy(velocities + c * sum_lanes + v * width, &u[v][c], bytes);
 }
 
-template<class Real, int components>
+template<class Real, PointKind kind>
 VESICLE_INLINE void add_sources(
-  const PointSources<Real, components>& s, const Real* targets, Real* velocities)
+  const PointSources<Real, kind>& s, const Real* targets, Real* velocities)
 {
   constexpr int width = bytes / sizeof(Real), at_once = width < sum_lanes ? 2 * width : width;
   for (int i = 0; i < sum_lanes; i += at_once)
@@ -484,6 +595,30 @@ void add_stresslets_float(const PointStresslets<float>& s, const float* targets,
   add_sources(s, targets, velocities);
 }
 
+void add_force_images_double(
+  const PointForceImages<double>& s, const double* targets, double* velocities)
+{
+  add_sources(s, targets, velocities);
+}
+
+void add_force_images_float(
+  const PointForceImages<float>& s, const float* targets, float* velocities)
+{
+  add_sources(s, targets, velocities);
+}
+
+void add_stresslet_images_double(
+  const PointStressletImages<double>& s, const double* targets, double* velocities)
+{
+  add_sources(s, targets, velocities);
+}
+
+void add_stresslet_images_float(
+  const PointStressletImages<float>& s, const float* targets, float* velocities)
+{
+  add_sources(s, targets, velocities);
+}
+
 double dot(const double* a, const double* b, long n)
 {
   double sum = 0;
@@ -494,8 +629,10 @@ double dot(const double* a, const double* b, long n)
 }
 
 constexpr StokesletLoops loops{ add_stokeslets, add_stresslets, multiply_stokeslets,
-  add_stokeslet_moments, add_stresslet_moments, add_velocities, add_forces_double, add_forces_float,
-  add_stresslets_double, add_stresslets_float, dot };
+  add_stokeslet_moments, add_stresslet_moments, add_stokeslet_image_moments,
+  add_stresslet_image_moments, add_velocities, add_forces_double, add_forces_float,
+  add_stresslets_double, add_stresslets_float, add_force_images_double, add_force_images_float,
+  add_stresslet_images_double, add_stresslet_images_float, dot };
 
 }
 }

@@ -25,8 +25,8 @@ std::unique_ptr<const PointSum> tree_sum(const RowVectors& points, const Points&
   return std::make_unique<TreePointSum<PointKind::stresslet>>(points, vertices, 1e-6);
 }
 
-Eigen::VectorXd double_layer(const Body& body, const Field& field,
-  const LayerSum::MakePointSum& make_sum = DoubleLayer::direct_sum)
+Eigen::VectorXd double_layer(
+  const Body& body, const Field& field, const MakePointSum& make_sum = DoubleLayer::direct_sum)
 {
   const Eigen::VectorXd u = body.sampled(field);
   return DoubleLayer(StokesOperator({ body.surface() }), { 1 }, make_sum)

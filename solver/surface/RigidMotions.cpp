@@ -1,4 +1,4 @@
-#include "solver/dynamics/RigidMotions.h"
+#include "solver/surface/RigidMotions.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
