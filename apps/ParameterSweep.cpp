@@ -211,7 +211,8 @@ void ParameterSweep::write_table() const
     names.push_back(range.key);
   }
   names.push_back("state");
-  const auto columns = run_columns(read_scene(settings_.scene, settings_.overrides).vesicles());
+  const Scene scene = read_scene(settings_.scene, settings_.overrides);
+  const auto columns = run_columns(scene.vesicles(), scene.wall.has_value());
   names.insert(names.end(), columns.begin(), columns.end());
   std::string text = joined(names, ",") + "\n";
   const auto add_row = [&](const GridPoint& point, const RunReport& report, const auto& last)

@@ -54,9 +54,9 @@ std::vector<RunTable> RunTable::by_vesicle() const
   return tables.empty() ? std::vector{ *this } : tables;
 }
 
-RunTable run_table(std::size_t vesicles, const std::vector<Row>& steps)
+RunTable run_table(std::vector<std::string> columns, const std::vector<Row>& steps)
 {
-  RunTable table{ run_columns(vesicles), {} };
+  RunTable table{ std::move(columns), {} };
   const auto length = static_cast<std::ptrdiff_t>(table.columns.size());
   for (const Row& step : steps)
     for (auto first = step.begin(); first != step.end(); first += length)

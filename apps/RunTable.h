@@ -22,7 +22,7 @@ struct RunTable
 };
 
 /// Of the rows of steps (run_row).
-RunTable run_table(std::size_t vesicles, const std::vector<Row>& steps);
+RunTable run_table(std::vector<std::string> columns, const std::vector<Row>& steps);
 
 /// Reads a table that CsvFile wrote. Throws IoError when it can't be read, InputError naming the
 /// line that is none of a table of numbers.

@@ -46,6 +46,11 @@ Json observables(const Diagnostics& diagnostics)
   {
     result[std::string(names[i])] = number_or_null(values[i]);
   }
+  if (diagnostics.wall_gap)
+  {
+    result["wall_gap"] = number_or_null(diagnostics.wall_gap);
+    result["lift_speed"] = number_or_null(diagnostics.lift_speed);
+  }
   return result;
 }
 

@@ -45,6 +45,9 @@ struct Diagnostics
   /// Distance to the nearest other vesicle; none where there is no other within r0. Not among the names and
   /// values below, which a vesicle alone has.
   std::optional<double> gap;
+  /// Distance to the wall and the centroid's speed away from it; in scenes with a wall alone, and not
+  /// among the names and values either.
+  std::optional<double> wall_gap, lift_speed;
 
   static const std::vector<std::string>& names(); ///< the CSV's header
   std::vector<std::optional<double>> values() const;

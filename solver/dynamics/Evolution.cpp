@@ -32,10 +32,7 @@ StepperSettings with_time_unit(StepperSettings settings, double time_unit)
 
 std::string contact_message(double time, const std::string& contact)
 {
-  return fmt::format(
-    "t = {}: {}, lengths in r0: closer than the meshes tell. Try more triangles, or "
-    "a repulsion between vesicles.",
-    time, contact);
+  return fmt::format("t = {}: {}", time, contact);
 }
 
 // The last guard: nothing else is ever saved.

@@ -5,6 +5,7 @@
 #include "solver/dynamics/LoadStage.h"
 #include "solver/stokes/DoubleLayer.h"
 #include "solver/stokes/TreeSum.h"
+#include "solver/stokes/WallImages.h"
 
 #include <algorithm>
 
@@ -75,23 +76,66 @@ void LoadStages::build_stiff(const SystemShape& shape, double tau)
 LayerMaps LoadStages::maps_of(const SystemShape& shape) const
 {
   const StokesOperator layer(layer_surfaces(shape));
-  return { single_layer(layer), contrast(layer) };
+  LayerMaps maps{ single_layer(layer), contrast(layer) };
+  if (system_.wall)
+    add_images(layer, maps);
+  return maps;
+}
+
+Precision LoadStages::allowed(Precision precision) const
+{
+  return layer_.precision == LayerPrecision::mixed ? precision : Precision::full;
+}
+
+static std::vector<double> contrasts(const System& system)
+{
+  std::vector<double> factors;
+  for (const Vesicle& vesicle : system.vesicles)
+    factors.push_back(1 - vesicle.viscosity_ratio);
+  return factors;
+}
+
+// The wall's, whatever applies the layers themselves.
+void LoadStages::add_images(const StokesOperator& surfaces, LayerMaps& maps) const
+{
+  const auto images = std::make_shared<const WallImages>(surfaces, *system_.wall, PointKind::force,
+    std::vector<double>(system_.vesicles.size(), 1),
+    [&](const RowVectors& points, const Points& vertices)
+    { return far_sum<PointKind::force_image>(points, vertices, layer_); });
+  maps.single = [images, alone = std::move(maps.single), this](
+                  const std::vector<Eigen::VectorXd>& densities, Precision precision)
+  {
+    Eigen::VectorXd velocity = alone(densities, precision);
+    images->add(densities, allowed(precision), velocity);
+    return velocity;
+  };
+  if (!maps.contrast)
+    return;
+  const auto of_contrast = std::make_shared<const WallImages>(surfaces, *system_.wall,
+    PointKind::stresslet, contrasts(system_),
+    [&](const RowVectors& points, const Points& vertices)
+    { return far_sum<PointKind::stresslet_image>(points, vertices, layer_); });
+  maps.contrast = [of_contrast, alone = std::move(maps.contrast), this](
+                    const std::vector<Eigen::VectorXd>& nodal, const Eigen::VectorXd& at_vertices,
+                    Precision precision)
+  {
+    Eigen::VectorXd velocity = alone(nodal, at_vertices, precision);
+    of_contrast->add(nodal, allowed(precision), velocity);
+    return velocity;
+  };
 }
 
 ContrastMap LoadStages::contrast(const StokesOperator& surfaces) const
 {
-  std::vector<double> factors;
-  for (const Vesicle& vesicle : system_.vesicles)
-    factors.push_back(1 - vesicle.viscosity_ratio);
+  const std::vector<double> factors = contrasts(system_);
   if (std::all_of(factors.begin(), factors.end(), [](double factor) { return factor == 0; }))
     return {};
   const auto layer = std::make_shared<const DoubleLayer>(surfaces, factors,
     [&](const RowVectors& points, const Points& vertices)
     { return far_sum<PointKind::stresslet>(points, vertices, layer_); });
-  const bool mixed = layer_.precision == LayerPrecision::mixed;
-  return [layer, mixed](const std::vector<Eigen::VectorXd>& nodal,
+  return [layer, this](const std::vector<Eigen::VectorXd>& nodal,
            const Eigen::VectorXd& at_vertices, Precision precision)
-  { return layer->apply(nodal, at_vertices, mixed ? precision : Precision::full); };
+  { return layer->apply(nodal, at_vertices, allowed(precision)); };
 }
 
 LayerMap LoadStages::single_layer(const StokesOperator& layer) const
@@ -101,9 +145,8 @@ LayerMap LoadStages::single_layer(const StokesOperator& layer) const
     const auto sum = std::make_shared<const LayerSum>(layer,
       [&](const RowVectors& points, const Points& vertices)
       { return far_sum<PointKind::force>(points, vertices, layer_); });
-    const bool mixed = layer_.precision == LayerPrecision::mixed;
-    return [sum, mixed](const std::vector<Eigen::VectorXd>& densities, Precision precision)
-    { return sum->apply(densities, mixed ? precision : Precision::full); };
+    return [sum, this](const std::vector<Eigen::VectorXd>& densities, Precision precision)
+    { return sum->apply(densities, allowed(precision)); };
   }
   const auto matrices = std::make_shared<std::vector<DenseMatrix>>();
   for (int v = 0; v < layer.surfaces(); ++v)

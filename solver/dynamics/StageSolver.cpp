@@ -1,5 +1,6 @@
 #include "solver/dynamics/StageSolver.h"
 
+#include "solver/Errors.h"
 #include "solver/dynamics/CollocatedStages.h"
 #include "solver/dynamics/LoadStages.h"
 
@@ -14,6 +15,8 @@ std::unique_ptr<StageSolver> make_stage_solver(const System& system, const Layer
     [](const Vesicle& vesicle) { return vesicle.space->smooth(); });
   if (smooth)
     return std::make_unique<LoadStages>(system, layer);
+  if (system.wall)
+    throw InputError("flat triangles know no walls: take Loop's surface");
   return std::make_unique<CollocatedStages>(system);
 }
 

@@ -1,6 +1,7 @@
 #include "solver/dynamics/StateReport.h"
 
 #include "solver/dynamics/Observables.h"
+#include "solver/dynamics/WallGap.h"
 #include "solver/mesh/MeshQuality.h"
 #include "solver/mesh/MeshIntegrals.h"
 
@@ -110,7 +111,18 @@ Diagnostics StateReport::diagnose(
   add_power(shape, vesicle, system.part(system.imposed, number), d);
   add_shape(shape, d);
   add_flow(shape, vesicle, pieces_[number], d);
+  if (system_.wall)
+    add_wall(shape, d);
   return d;
+}
+
+// Once the velocity is there.
+void StateReport::add_wall(const VesicleShape& shape, Diagnostics& d) const
+{
+  d.wall_gap =
+    wall_gap(*system_.wall, { shape.vesicle->layer.get(), shape.surface.get() }).distance *
+    scales_.length;
+  d.lift_speed = system_.wall->normal.dot(Eigen::Map<const Vector3>(d.velocity.data()));
 }
 
 void StateReport::add_geometry(const VesicleShape& shape, Diagnostics& d) const

@@ -34,6 +34,7 @@ private:
   void add_power(const VesicleShape& shape, const VesicleState& state,
     const Eigen::VectorXd& imposed, Diagnostics& d) const;
   void add_shape(const VesicleShape& shape, Diagnostics& d) const;
+  void add_wall(const VesicleShape& shape, Diagnostics& d) const;
   void add_flow(const VesicleShape& shape, const VesicleState& state, const FlatPieces& pieces,
     Diagnostics& d) const;
 

@@ -44,6 +44,10 @@ std::string reason_to_reject(const StepReport& r, const StepLimits& limits)
     return fmt::format("two vesicles' gap falls from {:.2g} to {:.2g} edges in one step, by more "
                        "than {:.0f}%",
       r.gap_before, r.gap, 100 * limits.gap_share);
+  if (!(r.wall_gap >= (1 - limits.gap_share) * r.wall_gap_before))
+    return fmt::format("the gap to the wall falls from {:.2g} to {:.2g} edges in one step, by more "
+                       "than {:.0f}%",
+      r.wall_gap_before, r.wall_gap, 100 * limits.gap_share);
   return {};
 }
 

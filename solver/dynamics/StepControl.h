@@ -22,7 +22,10 @@ struct StepReport
   /// Between the nearest vesicles, before and after, in mean edges; infinite where none are near.
   double gap_before = std::numeric_limits<double>::infinity(),
          gap = std::numeric_limits<double>::infinity();
-  std::string contact; ///< which vesicles have come too near, and where; empty: none
+  /// Between the wall and the vesicle nearest to it; infinite without a wall.
+  double wall_gap_before = std::numeric_limits<double>::infinity(),
+         wall_gap = std::numeric_limits<double>::infinity();
+  std::string contact; ///< what has come too near, where, and what to try; empty: nothing
 };
 
 struct StepLimits
@@ -35,11 +38,14 @@ struct StepLimits
   double energy_rise = 1e-6;     ///< dissipation is the one thing a fluid at rest can do
   double energy_jump =
     0.25; ///< no flow bends a membrane by so much in a step: a mesh that folds over does
-  /// No step takes more of what is between two vesicles: one that did would have them cross.
+  /// No step takes more of what is between two vesicles, or one and a wall: one that did would have them
+  /// cross.
   double gap_share = 0.5;
   /// In mean edges: nearer than that vesicles are in contact. Neither the forces, known at the vertices,
   /// nor the shapes tell more.
   double contact = 0.02;
+  /// The same of a wall, against which the fluid in the gap holds a membrane with forces that peak.
+  double wall_contact = 0.1;
   double growth = 1.5; ///< at most, from one step to the next
   double shrink = 0.3; ///< at most
   double safety = 0.9;

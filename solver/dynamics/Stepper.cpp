@@ -4,6 +4,8 @@
 #include "solver/ParallelFor.h"
 #include "solver/dynamics/Projection.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -160,7 +162,7 @@ double Stepper::longest_step(const State& state)
       longest = std::min(
         longest, longest_passage * vesicle::mean_edge(surface.vertices, neighbours_[v]) / speed);
   }
-  return several() ? std::min(longest, longest_approach(state)) : longest;
+  return has_neighbours() ? std::min(longest, longest_approach(state)) : longest;
 }
 
 // Of all vesicles.
@@ -181,8 +183,11 @@ const Stepper::Neighbourhood& Stepper::neighbourhood(
     const double edge = mean_edge(*shape);
     Proximity proximity(sides(*shape), near_edges * edge);
     std::optional<Gap> gap = proximity.smallest();
+    std::vector<WallGap> walls;
+    if (system_.wall)
+      walls = wall_gaps(*system_.wall, sides(*shape));
     neighbourhood_ = std::make_unique<const Neighbourhood>(
-      Neighbourhood{ shape, std::move(proximity), gap, edge });
+      Neighbourhood{ shape, std::move(proximity), gap, std::move(walls), edge });
   }
   return *neighbourhood_;
 }
@@ -203,29 +208,76 @@ double Stepper::longest_approach(const State& state)
       longest = std::min(
         longest, approach_margin * settings_.limits.gap_share * near.place.distance / closing);
   }
+  return std::min(longest, longest_fall(state));
+}
+
+// The same towards a wall.
+double Stepper::longest_fall(const State& state) const
+{
+  double longest = INFINITY;
+  if (!system_.wall)
+    return longest;
+  for (const VesicleState& vesicle : state.vesicles)
+  {
+    const Eigen::VectorXd height = system_.wall->heights(vesicle.points),
+                          falling = -(vesicle.velocity * system_.wall->normal);
+    for (Eigen::Index i = 0; i < height.size(); ++i)
+      if (falling[i] > 0 && height[i] > 0)
+        longest =
+          std::min(longest, approach_margin * settings_.limits.gap_share * height[i] / falling[i]);
+  }
   return longest;
+}
+
+std::size_t Stepper::Neighbourhood::lowest() const
+{
+  return std::min_element(walls.begin(), walls.end(),
+           [](const WallGap& a, const WallGap& b) { return a.distance < b.distance; }) -
+    walls.begin();
+}
+
+// Which surfaces are closer than their meshes tell, and what to try; empty: none.
+std::string Stepper::contact(const Neighbourhood& now) const
+{
+  constexpr const char* closer = ", lengths in r0: closer than the meshes tell. Try more triangles";
+  if (now.gap && now.gap->distance < settings_.limits.contact * now.edge)
+    return to_text(*now.gap) + closer + ", or a repulsion between vesicles.";
+  if (now.walls.empty())
+    return {};
+  const std::size_t lowest = now.lowest();
+  if (now.walls[lowest].distance >= settings_.limits.wall_contact * now.edge)
+    return {};
+  const std::string which =
+    now.walls.size() > 1 ? fmt::format("vesicle {} ", lowest) : "the vesicle ";
+  return which + to_text(now.walls[lowest]) + closer + ".";
 }
 
 void Stepper::require_apart(const State& state)
 {
-  if (!several())
+  if (!has_neighbours())
     return;
-  const Neighbourhood& now = neighbourhood(shape(state));
-  if (now.gap && now.gap->distance < settings_.limits.contact * now.edge)
-    throw NumericalError(to_text(*now.gap));
+  if (const std::string told = contact(neighbourhood(shape(state))); !told.empty())
+    throw NumericalError(told);
 }
 
 void Stepper::look_for_contact(
   const State& after, const std::shared_ptr<const SystemShape>& start, StepReport& report)
 {
   const std::optional<Gap> before = neighbourhood(start).gap;
+  const std::vector<WallGap> walls_before = neighbourhood(start).walls;
   const Neighbourhood& now = neighbourhood(shape(after));
-  if (!now.gap)
-    return;
-  report.gap_before = before ? before->distance / now.edge : near_edges;
-  report.gap = now.gap->distance / now.edge;
-  if (report.gap < settings_.limits.contact)
-    report.contact = to_text(*now.gap);
+  if (now.gap)
+  {
+    report.gap_before = before ? before->distance / now.edge : near_edges;
+    report.gap = now.gap->distance / now.edge;
+  }
+  if (!now.walls.empty())
+  {
+    const std::size_t lowest = now.lowest();
+    report.wall_gap_before = walls_before[lowest].distance / now.edge;
+    report.wall_gap = now.walls[lowest].distance / now.edge;
+  }
+  report.contact = contact(now);
 }
 
 Stepper::Solved Stepper::solve_stage(State& state, const std::vector<Points>& points, double time,
@@ -317,7 +369,7 @@ State Stepper::attempt(const State& before, StepReport& report)
     for (VesicleState& vesicle : after.vesicles)
       vesicle.points += dt * vesicle.node_velocity;
   restore_area_and_volume(after, *start, report);
-  if (several() && report.finite)
+  if (has_neighbours() && report.finite)
     look_for_contact(after, start, report);
   return after;
 }

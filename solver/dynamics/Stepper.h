@@ -6,6 +6,7 @@
 #include "solver/dynamics/State.h"
 #include "solver/dynamics/StepControl.h"
 #include "solver/dynamics/Method.h"
+#include "solver/dynamics/WallGap.h"
 #include "solver/mesh/Connectivity.h"
 
 namespace vesicle
@@ -38,9 +39,10 @@ public:
   const StepperSettings& settings() const { return settings_; }
   /// The system at the shapes of a state; that of the last shapes asked for is kept.
   std::shared_ptr<const SystemShape> shape(const State& state);
-  /// The longest step that mesh motion allows at this state, and vesicles that approach each other.
+  /// The longest step that mesh motion allows at this state, and vesicles that approach each other or
+  /// a wall.
   double longest_step(const State& state);
-  /// Throws NumericalError where vesicles are in contact or cross.
+  /// Throws NumericalError where vesicles are in contact with each other or a wall, or cross.
   void require_apart(const State& state);
 
   /// Fills velocities, tensions, stiff forces and node velocities of `state` for its points and its
@@ -64,13 +66,16 @@ private:
     std::vector<std::unique_ptr<const TangentialMotion>> sliding;
   };
 
-  /// What is between the vesicles of a shape.
+  /// What is between the vesicles of a shape, and them and a wall.
   struct Neighbourhood
   {
     std::shared_ptr<const SystemShape> shape;
     Proximity proximity;
     std::optional<Gap> gap;
-    double edge; ///< the mean edge, of all vesicles
+    std::vector<WallGap> walls; ///< of each vesicle; empty without a wall
+    double edge;                ///< the mean edge, of all vesicles
+    /// The vesicle that is nearest to the wall.
+    std::size_t lowest() const;
   };
 
   /// In t0.
@@ -83,10 +88,12 @@ private:
   void advance_midpoint(
     const State& before, State& after, const Eigen::VectorXd& relative, StepReport& report);
   void restore_area_and_volume(State& after, const SystemShape& start, StepReport& report);
-  bool several() const { return system_.vesicles.size() > 1; }
+  bool has_neighbours() const { return system_.vesicles.size() > 1 || system_.wall; }
   double mean_edge(const SystemShape& shape) const;
   const Neighbourhood& neighbourhood(const std::shared_ptr<const SystemShape>& shape);
   double longest_approach(const State& state);
+  double longest_fall(const State& state) const;
+  std::string contact(const Neighbourhood& now) const;
   void look_for_contact(
     const State& after, const std::shared_ptr<const SystemShape>& start, StepReport& report);
 

@@ -7,6 +7,7 @@
 #include "solver/membrane/Incompressibility.h"
 #include "solver/membrane/MembraneTerm.h"
 #include "solver/stokes/LayerRules.h"
+#include "solver/stokes/Wall.h"
 #include "solver/surface/NodeMotion.h"
 
 #include <memory>
@@ -49,6 +50,7 @@ struct System
   std::vector<Vesicle> vesicles;
   std::shared_ptr<const ImposedFlow> flow; ///< none: at rest far away
   std::optional<Repulsion> repulsion;      ///< between vesicles; none: by the fluid alone
+  std::optional<Wall> wall; ///< none: unbounded; beside smooth surfaces, where the flow is zero
 
   /// The rate that sets the pace, the largest of the terms' and the flow's; 0 if there is none.
   double rate() const;

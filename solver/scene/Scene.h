@@ -9,6 +9,7 @@
 #include "solver/membrane/ElasticLaw.h"
 #include "solver/mesh/TriangleMesh.h"
 #include "solver/mesh/shapes/ShapeRequest.h"
+#include "solver/stokes/Wall.h"
 #include "solver/surface/SurfaceBasis.h"
 
 #include <array>
@@ -71,6 +72,8 @@ struct Scene
 
   std::shared_ptr<const ImposedFlow> flow; ///< empty: fluid at rest
   FlowHistory flow_history;                ///< of its strength
+
+  std::optional<Wall> wall; ///< empty: unbounded
 
   struct Gravity
   {

@@ -224,6 +224,29 @@ SceneTable fluid_table()
   return table;
 }
 
+SceneTable wall_table()
+{
+  const auto in_wall = [](auto member)
+  {
+    return [=](auto& scene) -> auto&
+    {
+      return (*scene.wall).*member;
+    };
+  };
+  SceneTable table;
+  table.name = "wall";
+  table.help =
+    "A plane at which the fluid sticks, beside all vesicles, where the flow is zero; on Loop's "
+    "surface only. Without the table the fluid has no end.";
+  table.keys = {
+    key("point", in_wall(&Wall::point), rules::Point{}, "length", "any of the plane"),
+    key("normal", in_wall(&Wall::normal), rules::Direction{}, "", "into the fluid"),
+  };
+  table.present = [](const Scene& scene) { return scene.wall.has_value(); };
+  table.create = [](Scene& scene) { scene.wall = Wall{}; };
+  return table;
+}
+
 /// Either a Bond number or both of the others.
 SceneTable::Variant gravity_variant(const SceneTable&, const TableReader& table)
 {
@@ -373,6 +396,10 @@ void check_accuracy(const TableReader& table, const Scene& scene)
     table.fail(table.has("basis") ? "basis" : "preset",
       "has fluids of one viscosity only, and fluid.viscosity_ratio isn't 1",
       "\"balanced\" or \"accurate\", or basis = \"loop\"");
+  if (scene.wall && accuracy.basis != Scene::Basis::loop)
+    table.fail(table.has("basis") ? "basis" : "preset",
+      "knows no walls, and the scene has a [wall]",
+      "\"balanced\" or \"accurate\", or basis = \"loop\"");
   if (is_elastic(scene) &&
     (accuracy.basis != Scene::Basis::loop || accuracy.mesh_motion != Scene::MeshMotion::material))
     table.fail("mesh_motion", "loses the material of an elastic membrane (membrane.shear_modulus)",
@@ -487,7 +514,7 @@ SceneTable output_table()
 const std::vector<SceneTable>& scene_schema()
 {
   static const std::vector<SceneTable> tables{ top_table(), vesicle_table(), membrane_table(),
-    fluid_table(), flow_table(), gravity_table(), interaction_table(), time_table(),
+    fluid_table(), flow_table(), wall_table(), gravity_table(), interaction_table(), time_table(),
     accuracy_table(), movie_table(), output_table() };
   return tables;
 }

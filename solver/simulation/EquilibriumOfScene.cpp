@@ -24,6 +24,8 @@ void require_equilibrium(const Scene& scene)
     refuse("has several vesicles", "leave one, or let them run to time.end = \"steady\"");
   if (scene.flow)
     refuse("has a flow", "leave out [flow], or let it run to time.end = \"steady\"");
+  if (scene.wall)
+    refuse("has a wall", "leave out [wall], or let it run to time.end = \"steady\"");
   if (scene.gravity)
     refuse("has gravity", "leave out [gravity], or let it run to time.end = \"steady\"");
   if (!scene.membrane.bending_rigidity)

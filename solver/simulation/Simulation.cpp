@@ -12,6 +12,7 @@
 #include "solver/simulation/StartMesh.h"
 #include "solver/simulation/StartOverlap.h"
 #include "solver/simulation/SystemOfScene.h"
+#include "solver/simulation/WallFit.h"
 #include "solver/mesh/JoinedMesh.h"
 #include "solver/mesh/Preparation.h"
 #include "solver/mesh/SelfCrossing.h"
@@ -167,6 +168,7 @@ struct Simulation::Impl
         meshes[v], start.size() > 1 ? fmt::format("{}: {}", vesicle_name(v), name) : name);
     }
     require_apart(s, meshes);
+    require_fit_for_wall(s, meshes);
     return meshes;
   }
 

@@ -139,6 +139,8 @@ System system_of(const Scene& scene, const Scales& scales, const std::vector<Ves
     system.repulsion =
       Repulsion{ scene.interaction->repulsion * scales.length * scales.length / scales.energy,
         scene.interaction->range / scales.length };
+  if (scene.wall)
+    system.wall = Wall{ scene.wall->point / scales.length, scene.wall->normal };
   if (const auto flow = imposed_flow(scene))
     system.flow = flow->dimensionless(scales.length, scales.velocity());
   return system;

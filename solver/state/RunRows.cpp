@@ -5,7 +5,7 @@
 namespace vesicle
 {
 
-std::vector<std::string> run_columns(std::size_t vesicles)
+std::vector<std::string> run_columns(std::size_t vesicles, bool wall)
 {
   std::vector<std::string> columns;
   if (vesicles > 1)
@@ -13,6 +13,8 @@ std::vector<std::string> run_columns(std::size_t vesicles)
   columns.insert(columns.end(), Diagnostics::names().begin(), Diagnostics::names().end());
   if (vesicles > 1)
     columns.emplace_back("gap");
+  if (wall)
+    columns.insert(columns.end(), { "wall_gap", "lift_speed" });
   return columns;
 }
 
@@ -27,6 +29,8 @@ std::vector<std::optional<double>> run_row(const std::vector<Diagnostics>& vesic
     row.insert(row.end(), values.begin(), values.end());
     if (vesicles.size() > 1)
       row.push_back(vesicles[v].gap);
+    if (vesicles[v].wall_gap)
+      row.insert(row.end(), { vesicles[v].wall_gap, vesicles[v].lift_speed });
   }
   return row;
 }

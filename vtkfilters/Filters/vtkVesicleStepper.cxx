@@ -120,7 +120,8 @@ bool lies_in_order(vtkPolyData* surface)
 vtkSmartPointer<vtkTable> table_of(const std::vector<Diagnostics>& vesicles)
 {
   auto table = vtkSmartPointer<vtkTable>::New();
-  const auto names = vesicle::run_columns(vesicles.size());
+  const auto names =
+    vesicle::run_columns(vesicles.size(), !vesicles.empty() && vesicles.front().wall_gap);
   const auto row = vesicle::run_row(vesicles);
   for (std::size_t i = 0; i < names.size(); ++i)
   {

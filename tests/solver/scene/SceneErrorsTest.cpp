@@ -274,6 +274,11 @@ const std::vector<Case> cases{
     { "s.toml:4: key 'accuracy.preset': can't be \"balance\", did you mean \"balanced\"?; "
       "allowed: "
       "\"paper\", \"fast\", \"balanced\", \"accurate\"" } },
+  { "wall_beside_flat_triangles", with_sphere("[wall]\n[accuracy]\npreset = \"fast\""),
+    { "s.toml:5: key 'accuracy.preset': knows no walls, and the scene has a [wall]; allowed: "
+      "\"balanced\" or \"accurate\"" } },
+  { "wall_without_a_direction", with_sphere("[wall]\nnormal = [0, 0, 0]"),
+    { "s.toml:4: key 'wall.normal': ", "; allowed: [x, y, z], not all 0" } },
   { "basis_of_the_paper", with_sphere("[accuracy]\npreset = \"paper\"\nbasis = \"loop\""),
     { "s.toml:5: key 'accuracy.basis': the paper's scheme is one of linear elements; allowed: "
       "\"linear\"" } },

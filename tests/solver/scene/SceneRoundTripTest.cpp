@@ -69,6 +69,12 @@ void expect_same(const Scene& a, const Scene& b)
     EXPECT_EQ(a.gravity->density_difference, b.gravity->density_difference);
     EXPECT_EQ(a.gravity->acceleration, b.gravity->acceleration);
   }
+  ASSERT_EQ(a.wall.has_value(), b.wall.has_value());
+  if (a.wall)
+  {
+    EXPECT_EQ(a.wall->point, b.wall->point);
+    EXPECT_EQ(a.wall->normal, b.wall->normal);
+  }
   EXPECT_EQ(a.time.end, b.time.end);
   EXPECT_EQ(a.time.output_every, b.time.output_every);
   EXPECT_EQ(a.time.step, b.time.step);
