@@ -120,7 +120,8 @@ void expect_printed(vtkObject* object, std::initializer_list<const char*> names)
 
 const auto scene_properties = { "BendingRigidity", "Incompressible", "Viscosity", "ViscosityRatio",
   "FlowKind", "FlowRate", "FlowVelocity", "FlowRadius", "FlowCenter", "FlowAxis", "FlowType",
-  "FlowFile", "BondNumber", "DensityDifference", "Acceleration", "Preset" };
+  "FlowFile", "Wall", "WallPoint", "WallNormal", "BondNumber", "DensityDifference", "Acceleration",
+  "Preset" };
 
 }
 

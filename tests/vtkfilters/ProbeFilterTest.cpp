@@ -363,6 +363,30 @@ TEST(ProbeFilter, SaysWhatTheSourceLacks)
   expect_refused(vtkNew<vtkUnstructuredGrid>(), "");
 }
 
+// A vesicle that a stepper moves beside a wall: nothing slips there, nothing moves behind it, and at the
+// vertices the velocity is the membrane's.
+TEST(ProbeFilter, AtAWallNothingMoves)
+{
+  vtkNew<vtkVesicleSource> source;
+  source->SetTriangles(320);
+  source->SetCenter(0, 0, 1.2);
+  vtkNew<vtkVesicleForceFilter> forces;
+  forces->SetInputConnection(source->GetOutputPort());
+  forces->SetFlowKind(vtkVesicleForceFilter::Shear);
+  forces->SetViscosityRatio(3);
+  forces->SetWall(true);
+  forces->Update();
+  const Points vertices = to_mesh(forces->GetOutput()).points,
+               membrane = velocity_of(forces->GetOutput());
+  Points feet = vertices, behind = vertices;
+  feet.col(2).setZero();
+  behind.col(2).setConstant(-1);
+  const auto probed = [&](const Points& at) { return velocity_at(at, forces->GetOutput()); };
+  EXPECT_LT((probed(vertices) - membrane).norm(), 2e-3 * membrane.norm());
+  EXPECT_LT(probed(feet).norm(), 1e-5 * membrane.norm());
+  EXPECT_TRUE(probed(behind).isZero());
+}
+
 TEST(ProbeFilter, NoPointsNoVelocities)
 {
   vtkNew<vtkVesicleProbeFilter> probe;

@@ -49,6 +49,8 @@ const std::map<std::string_view, const char*>& units()
     { "Volume_Drift", "1" },
     { "Viscosity", "force time/length^2" },
     { "Viscosity_Ratio", "1" },
+    { "Wall_Point", "length" },
+    { "Wall_Normal", "1" },
     { "Flow_Rate", "1/time" },
     { "Flow_Velocity", "length/time" },
     { "Flow_Radius", "length" },

@@ -81,6 +81,24 @@ void read_ratios(vtkDataArray* ratios, Scene& scene)
   }
 }
 
+void add_vector(vtkFieldData* to, const char* name, const Vector3& vector)
+{
+  to->AddArray(to_array(name, Eigen::MatrixXd(vector.transpose())));
+}
+
+Wall read_wall(vtkFieldData* from)
+{
+  Wall wall;
+  read(from, "Wall_Point", wall.point.data(), 3);
+  read(from, "Wall_Normal", wall.normal.data(), 3);
+  if (!(wall.normal.norm() > 0))
+  {
+    throw InputError("the surface's field data Wall_Normal must not be 0");
+  }
+  wall.normal.normalize();
+  return wall;
+}
+
 std::shared_ptr<const ImposedFlow> read_flow(vtkFieldData* from)
 {
   const double number = read_number(from, "Flow_Kind");
@@ -236,6 +254,11 @@ void add_medium(const Scene& scene, double time, vtkFieldData* to)
     ratios.push_back(companion.viscosity_ratio);
   add_numbers(to, "Viscosity_Ratio", ratios);
   add_number(to, "Surface_Basis", static_cast<int>(scene.accuracy.basis));
+  if (scene.wall)
+  {
+    add_vector(to, "Wall_Point", scene.wall->point);
+    add_vector(to, "Wall_Normal", scene.wall->normal);
+  }
   const auto flow = flow_at(imposed_flow(scene), time);
   add_number(to, "Flow_Kind", flow ? number_of(flow->kind()) : 0);
   if (!flow)
@@ -261,6 +284,10 @@ Scene read_medium(vtkFieldData* from)
   scene.accuracy.basis =
     read_number(from, "Surface_Basis") == 0 ? Scene::Basis::linear : Scene::Basis::loop;
   scene.flow = read_flow(from);
+  if (from->HasArray("Wall_Normal"))
+  {
+    scene.wall = read_wall(from);
+  }
   return scene;
 }
 

@@ -51,7 +51,7 @@ VESICLEFILTERS_EXPORT SurfaceBasis surface_basis(vtkFieldData* from);
 /// rest or the number of a kind (flow/FlowKinds.h), and the numbers of the flow
 /// (flow/FlowNumbers.h): Flow_Rate, Flow_Velocity (three components; Poiseuille's on the axis),
 /// Flow_Radius, Flow_Center, Flow_Axis, as far as the kind has them; of a flow with a history those at
-/// the time.
+/// the time; with a wall Wall_Point and Wall_Normal, three components each.
 VESICLEFILTERS_EXPORT void add_medium(const Scene& scene, double time, vtkFieldData* to);
 
 /// What add_medium wrote; nothing else of the scene is set, which has as many vesicles as there are

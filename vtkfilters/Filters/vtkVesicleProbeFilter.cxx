@@ -138,7 +138,7 @@ public:
       this->Vesicles.emplace_back(prepared(vesicle::part_with(mesh, points)),
         this->Medium.accuracy.basis, forces(points, Eigen::all),
         velocities.rows() == 0 ? Points() : Points(velocities(points, Eigen::all)),
-        this->Medium.fluid.viscosity, this->Ratios[v]);
+        this->Medium.fluid.viscosity, this->Ratios[v], this->Medium.wall);
     }
   }
 
@@ -169,6 +169,10 @@ public:
     for (Eigen::Index i = 0; i < points.rows(); ++i)
     {
       sum.velocity.row(i) *= ratio[i] > 0 ? 1 / ratio[i] : 0;
+    }
+    if (this->Medium.wall)
+    {
+      vesicle::rest_behind(*this->Medium.wall, points, sum.velocity);
     }
     return sum;
   }

@@ -64,6 +64,13 @@ Scene vtkVesicleSceneAlgorithm::MakeScene()
   scene.fluid.viscosity_ratio = this->ViscosityRatio;
   require(this->ViscosityRatio == 1 || scene.accuracy.basis == Scene::Basis::loop,
     "a ViscosityRatio other than 1 takes the preset balanced or accurate");
+  if (this->Wall)
+  {
+    scene.wall =
+      vesicle::Wall{ vesicle::Vector3(this->WallPoint), vesicle::Vector3(this->WallNormal) };
+    require(scene.wall->normal.norm() > 0, "WallNormal must not be 0");
+    scene.wall->normal.normalize();
+  }
   scene.flow = this->MakeFlow();
   if (this->BondNumber != 0)
   {
@@ -105,6 +112,9 @@ void vtkVesicleSceneAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Incompressible: " << (this->Incompressible ? "on" : "off") << '\n';
   os << indent << "Viscosity: " << this->Viscosity << '\n';
   os << indent << "ViscosityRatio: " << this->ViscosityRatio << '\n';
+  os << indent << "Wall: " << (this->Wall ? "on" : "off") << '\n';
+  print("WallPoint", this->WallPoint);
+  print("WallNormal", this->WallNormal);
   os << indent << "FlowKind: " << flow_title(this->FlowKind) << '\n';
   os << indent << "FlowRate: " << this->FlowRate << '\n';
   print("FlowVelocity", this->FlowVelocity);

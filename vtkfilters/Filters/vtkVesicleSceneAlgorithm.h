@@ -115,6 +115,32 @@ public:
 
   ///@{
   /**
+   * Whether there is a wall, a plane at which the fluid sticks and the flow is zero, with the presets
+   * balanced and accurate only. Default: off.
+   */
+  vtkSetMacro(Wall, bool);
+  vtkGetMacro(Wall, bool);
+  vtkBooleanMacro(Wall, bool);
+  ///@}
+
+  ///@{
+  /**
+   * A point of the wall. Default: (0, 0, 0).
+   */
+  vtkSetVector3Macro(WallPoint, double);
+  vtkGetVector3Macro(WallPoint, double);
+  ///@}
+
+  ///@{
+  /**
+   * The wall's normal, into the fluid, of any length but 0. Default: (0, 0, 1).
+   */
+  vtkSetVector3Macro(WallNormal, double);
+  vtkGetVector3Macro(WallNormal, double);
+  ///@}
+
+  ///@{
+  /**
    * The flow far away, one of FlowKinds. Default: AtRest.
    */
   vtkSetClampMacro(FlowKind, int, AtRest, VelocityField);
@@ -233,6 +259,9 @@ protected:
   bool Incompressible = true;
   double Viscosity = 1;
   double ViscosityRatio = 1;
+  bool Wall = false;
+  double WallPoint[3] = { 0, 0, 0 };
+  double WallNormal[3] = { 0, 0, 1 };
   int FlowKind = AtRest;
   double FlowRate = 1;
   double FlowVelocity[3] = { 1, 0, 0 };
