@@ -32,8 +32,8 @@ std::vector<Case> all_cases()
 {
   std::vector<Case> all;
   for (const auto& family : { curvature_cases(), segmented_cases(), sphere_cases(), shear_cases(),
-         two_fluid_cases(), several_cases(), capsule_cases(), equilibrium_cases(), buoyancy_cases(),
-         relaxation_cases(), operator_cases(), mesh_cases() })
+         two_fluid_cases(), several_cases(), wall_cases(), capsule_cases(), equilibrium_cases(),
+         buoyancy_cases(), relaxation_cases(), operator_cases(), mesh_cases() })
   {
     all.insert(all.end(), family.begin(), family.end());
   }

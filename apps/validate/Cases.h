@@ -30,6 +30,7 @@ std::vector<Case> sphere_cases();
 std::vector<Case> shear_cases();
 std::vector<Case> two_fluid_cases();
 std::vector<Case> several_cases();
+std::vector<Case> wall_cases();
 std::vector<Case> capsule_cases();
 std::vector<Case> equilibrium_cases();
 std::vector<Case> buoyancy_cases();
