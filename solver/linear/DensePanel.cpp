@@ -1,6 +1,6 @@
 #include "solver/linear/DensePanel.h"
 
-#include "solver/Multiversion.h"
+#include "solver/Lanes.h"
 
 #include <cblas.h>
 
@@ -142,26 +142,120 @@ VESICLE_INLINE Scalar dot(const Scalar* a, const Scalar* b, int n)
   return sum;
 }
 
+// Below the triangle four columns at once, so that what the rows there have is read once for all.
+
+template<class Scalar>
+VESICLE_INLINE void subtract_four(
+  const Scalar* a, int height, const Scalar* factor, Scalar* from, int n)
+{
+  const Scalar *b = a + height, *c = b + height, *d = c + height;
+  const Scalar of_a = factor[0], of_b = factor[1], of_c = factor[2], of_d = factor[3];
+#pragma omp simd
+  for (int i = 0; i < n; ++i)
+    from[i] -= (of_a * a[i] + of_b * b[i]) + (of_c * c[i] + of_d * d[i]);
+}
+
+template<class Scalar>
+VESICLE_INLINE void subtract_four_dots(
+  const Scalar* a, int height, const Scalar* with, int n, Scalar* from)
+{
+  const Scalar *b = a + height, *c = b + height, *d = c + height;
+  Scalar in_a = 0, in_b = 0, in_c = 0, in_d = 0;
+#pragma omp simd reduction(+ : in_a, in_b, in_c, in_d)
+  for (int i = 0; i < n; ++i)
+  {
+    in_a += a[i] * with[i];
+    in_b += b[i] * with[i];
+    in_c += c[i] * with[i];
+    in_d += d[i] * with[i];
+  }
+  from[0] -= in_a;
+  from[1] -= in_b;
+  from[2] -= in_c;
+  from[3] -= in_d;
+}
+
 template<class Scalar>
 VESICLE_INLINE void forward(const Scalar* panel, int height, int columns, Scalar* x, Scalar* below)
 {
-  for (int j = 0; j < columns; ++j, panel += height)
-  {
-    subtract_multiple(panel + j + 1, x[j], x + j + 1, columns - j - 1);
-    subtract_multiple(panel + columns, x[j], below, height - columns);
-  }
+  const auto column = [=](int j) { return panel + static_cast<long>(j) * height; };
+  const int rows = height - columns;
+  for (int j = 0; j < columns; ++j)
+    subtract_multiple(column(j) + j + 1, x[j], x + j + 1, columns - j - 1);
+  int j = 0;
+  for (; j + 4 <= columns; j += 4)
+    subtract_four(column(j) + columns, height, x + j, below, rows);
+  for (; j < columns; ++j)
+    subtract_multiple(column(j) + columns, x[j], below, rows);
 }
 
 template<class Scalar>
 VESICLE_INLINE void backward(
   const Scalar* panel, int height, int columns, Scalar* x, const Scalar* below)
 {
-  for (int j = columns - 1; j >= 0; --j)
+  const auto column = [=](int j) { return panel + static_cast<long>(j) * height; };
+  const int rows = height - columns;
+  int j = 0;
+  for (; j + 4 <= columns; j += 4)
+    subtract_four_dots(column(j) + columns, height, below, rows, x + j);
+  for (; j < columns; ++j)
+    x[j] -= dot(column(j) + columns, below, rows);
+  for (j = columns - 1; j >= 0; --j)
+    x[j] -= dot(column(j) + j + 1, x + j + 1, columns - j - 1);
+}
+
+// As many right sides as there are lanes.
+
+template<class Scalar>
+VESICLE_INLINE void forward_together(
+  const Scalar* panel, int height, int columns, const int* rows, Scalar* x, Scalar* all)
+{
+  for (int j = 0; j < columns; ++j)
+    for (int i = j + 1; i < columns; ++i)
+      lanes_at(x + i * lanes) -= panel[static_cast<long>(j) * height + i] * lanes_at(x + j * lanes);
+  for (int i = columns; i < height; ++i)
   {
-    const Scalar* column = panel + static_cast<long>(j) * height;
-    x[j] -= dot(column + columns, below, height - columns) +
-      dot(column + j + 1, x + j + 1, columns - j - 1);
+    Scalar* to = all + static_cast<long>(rows[i - columns]) * lanes;
+    typename LanesOf<Scalar>::type sum = lanes_at(to);
+    for (int j = 0; j < columns; ++j)
+      sum -= panel[static_cast<long>(j) * height + i] * lanes_at(x + j * lanes);
+    lanes_at(to) = sum;
   }
+}
+
+// x_j less what the rows below have, of `width` columns from j on.
+template<int width, class Scalar>
+VESICLE_INLINE void subtract_below(
+  const Scalar* column, int height, int below, const int* rows, Scalar* x, const Scalar* all)
+{
+  typename LanesOf<Scalar>::type sum[width]{};
+  for (int i = 0; i < below; ++i)
+  {
+    const auto& at = lanes_at(all + static_cast<long>(rows[i]) * lanes);
+    for (int w = 0; w < width; ++w)
+      sum[w] += column[static_cast<long>(w) * height + i] * at;
+  }
+  for (int w = 0; w < width; ++w)
+    lanes_at(x + w * lanes) -= sum[w];
+}
+
+template<class Scalar>
+VESICLE_INLINE void backward_together(
+  const Scalar* panel, int height, int columns, const int* rows, Scalar* x, const Scalar* all)
+{
+  constexpr int width = 4;
+  const int below = height - columns;
+  const Scalar* const first = panel + columns;
+  int j = 0;
+  for (; j + width <= columns; j += width)
+    subtract_below<width>(
+      first + static_cast<long>(j) * height, height, below, rows, x + j * lanes, all);
+  for (; j < columns; ++j)
+    subtract_below<1>(
+      first + static_cast<long>(j) * height, height, below, rows, x + j * lanes, all);
+  for (j = columns - 1; j >= 0; --j)
+    for (int i = j + 1; i < columns; ++i)
+      lanes_at(x + j * lanes) -= panel[static_cast<long>(j) * height + i] * lanes_at(x + i * lanes);
 }
 
 }
@@ -188,6 +282,34 @@ VESICLE_MULTIVERSION
 void solve_backward(const float* panel, int height, int columns, float* x, const float* below)
 {
   backward(panel, height, columns, x, below);
+}
+
+VESICLE_MULTIVERSION
+void solve_forward_together(
+  const double* panel, int height, int columns, const int* rows, double* x, double* all)
+{
+  forward_together(panel, height, columns, rows, x, all);
+}
+
+VESICLE_MULTIVERSION
+void solve_forward_together(
+  const float* panel, int height, int columns, const int* rows, float* x, float* all)
+{
+  forward_together(panel, height, columns, rows, x, all);
+}
+
+VESICLE_MULTIVERSION
+void solve_backward_together(
+  const double* panel, int height, int columns, const int* rows, double* x, const double* all)
+{
+  backward_together(panel, height, columns, rows, x, all);
+}
+
+VESICLE_MULTIVERSION
+void solve_backward_together(
+  const float* panel, int height, int columns, const int* rows, float* x, const float* all)
+{
+  backward_together(panel, height, columns, rows, x, all);
 }
 
 template bool factorize_panel(double*, int, int, double*, std::vector<double>&);

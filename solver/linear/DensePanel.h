@@ -30,4 +30,15 @@ void subtract_outer_product(Scalar* U, int rows, const Scalar* L, int height, in
 [[gnu::visibility("hidden")]] void solve_backward(
   const float* panel, int height, int columns, float* x, const float* below);
 
+/// The same of `lanes` right sides at once (Lanes.h), their numbers side by side: x those of the panel's
+/// columns, `all` those of all rows, `rows` the numbers of the rows below.
+[[gnu::visibility("hidden")]] void solve_forward_together(
+  const double* panel, int height, int columns, const int* rows, double* x, double* all);
+[[gnu::visibility("hidden")]] void solve_forward_together(
+  const float* panel, int height, int columns, const int* rows, float* x, float* all);
+[[gnu::visibility("hidden")]] void solve_backward_together(
+  const double* panel, int height, int columns, const int* rows, double* x, const double* all);
+[[gnu::visibility("hidden")]] void solve_backward_together(
+  const float* panel, int height, int columns, const int* rows, float* x, const float* all);
+
 }

@@ -1,6 +1,6 @@
 #include "solver/linear/SmallLeastSquares.h"
 
-#include "solver/Multiversion.h"
+#include "solver/Lanes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,45 +13,26 @@ namespace vesicle
 namespace
 {
 
-/// Numbers that are worked on at once, read and written wherever they are.
-constexpr int lanes = 4;
-using Lanes
-  [[gnu::vector_size(lanes * sizeof(double)), gnu::aligned(alignof(double)), gnu::may_alias]] =
-    double;
-
-VESICLE_INLINE const Lanes& at(const double* a, int i)
-{
-  return *reinterpret_cast<const Lanes*>(a + i);
-}
-VESICLE_INLINE Lanes& at(double* a, int i)
-{
-  return *reinterpret_cast<Lanes*>(a + i);
-}
-VESICLE_INLINE double sum_of(const Lanes& v)
-{
-  return (v[0] + v[2]) + (v[1] + v[3]);
-}
-
 // n is a multiple of `lanes`.
 
 VESICLE_INLINE double dot(const double* a, const double* b, int n)
 {
   Lanes sum{};
   for (int i = 0; i < n; i += lanes)
-    sum += at(a, i) * at(b, i);
+    sum += lanes_at(a + i) * lanes_at(b + i);
   return sum_of(sum);
 }
 
 VESICLE_INLINE void scale(double factor, double* a, int n)
 {
   for (int i = 0; i < n; i += lanes)
-    at(a, i) *= factor;
+    lanes_at(a + i) *= factor;
 }
 
 VESICLE_INLINE void add(double factor, const double* a, double* to, int n)
 {
   for (int i = 0; i < n; i += lanes)
-    at(to, i) += factor * at(a, i);
+    lanes_at(to + i) += factor * lanes_at(a + i);
 }
 
 /// `stride` numbers each.
@@ -74,20 +55,20 @@ VESICLE_INLINE void take_out(
   Lanes in_a{}, in_b{}, in_c{}, in_d{};
   for (int i = 0; i < columns.stride; i += lanes)
   {
-    in_a += at(q, i) * at(a, i);
-    in_b += at(q, i) * at(b, i);
-    in_c += at(q, i) * at(c, i);
-    in_d += at(q, i) * at(d, i);
+    in_a += lanes_at(q + i) * lanes_at(a + i);
+    in_b += lanes_at(q + i) * lanes_at(b + i);
+    in_c += lanes_at(q + i) * lanes_at(c + i);
+    in_d += lanes_at(q + i) * lanes_at(d + i);
   }
   const double of_a = part[which[0]] = sum_of(in_a), of_b = part[which[1]] = sum_of(in_b),
                of_c = part[which[2]] = sum_of(in_c), of_d = part[which[3]] = sum_of(in_d);
   for (int i = 0; i < columns.stride; i += lanes)
   {
-    const Lanes along = at(q, i);
-    at(a, i) -= of_a * along;
-    at(b, i) -= of_b * along;
-    at(c, i) -= of_c * along;
-    at(d, i) -= of_d * along;
+    const Lanes along = lanes_at(q + i);
+    lanes_at(a + i) -= of_a * along;
+    lanes_at(b + i) -= of_b * along;
+    lanes_at(c + i) -= of_c * along;
+    lanes_at(d + i) -= of_d * along;
   }
 }
 
@@ -140,7 +121,7 @@ void measure_rows(const Columns& Q, int count, double* square)
   std::fill_n(square, Q.stride, 0);
   for (int k = 0; k < count; ++k)
     for (int i = 0; i < Q.stride; i += lanes)
-      at(square, i) += at(Q[k], i) * at(Q[k], i);
+      lanes_at(square + i) += lanes_at(Q[k] + i) * lanes_at(Q[k] + i);
 }
 
 }
@@ -149,7 +130,7 @@ void SmallLeastSquares::resize(int rows, int unknowns)
 {
   rows_ = rows;
   unknowns_ = unknowns;
-  stride_ = (rows + lanes - 1) / lanes * lanes;
+  stride_ = in_lanes(rows);
   const int columns = unknowns + 2; // with the right side and one of zeros
   columns_.resize(static_cast<std::size_t>(stride_) * columns);
   for (int j = 0; j < columns - 1; ++j)

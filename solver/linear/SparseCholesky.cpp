@@ -1,6 +1,6 @@
 #include "solver/linear/SparseCholesky.h"
 
-#include "solver/ParallelFor.h"
+#include "solver/Lanes.h"
 #include "solver/linear/Blas.h"
 #include "solver/linear/DensePanel.h"
 #include "solver/linear/FlushDenormals.h"
@@ -89,12 +89,6 @@ bool SupernodalCholesky<Scalar>::factorize(const SymmetricMatrix& A)
 }
 
 template<class Scalar>
-void SupernodalCholesky<Scalar>::solve_in_place(Columns& x) const
-{
-  parallel_for(x.cols(), [&](Eigen::Index c) { solve_column(x.col(c).data()); });
-}
-
-template<class Scalar>
 void SupernodalCholesky<Scalar>::solve_column(Scalar* column) const
 {
   const FlushDenormals flush;
@@ -119,6 +113,26 @@ void SupernodalCholesky<Scalar>::solve_column(Scalar* column) const
     for (int i = 0; i < rows; ++i)
       below[i] = column[s.rows[i]];
     solve_backward(panel, s.height(), s.columns, column + s.first, below.data());
+  }
+}
+
+template<class Scalar>
+void SupernodalCholesky<Scalar>::solve_together(Scalar* columns) const
+{
+  static_assert(columns_at_once == lanes);
+  const FlushDenormals flush;
+  const std::vector<Supernode>& supernodes = plan_->supernodes();
+  for (const Supernode& s : supernodes)
+    solve_forward_together(panels_.data() + s.offset, s.height(), s.columns, s.rows.data(),
+      columns + static_cast<std::ptrdiff_t>(s.first) * lanes, columns);
+  for (Eigen::Index i = 0; i < pivots_.size(); ++i)
+    for (int c = 0; c < lanes; ++c)
+      columns[i * lanes + c] /= pivots_[i];
+  for (std::size_t last = supernodes.size(); last-- > 0;)
+  {
+    const Supernode& s = supernodes[last];
+    solve_backward_together(panels_.data() + s.offset, s.height(), s.columns, s.rows.data(),
+      columns + static_cast<std::ptrdiff_t>(s.first) * lanes, columns);
   }
 }
 

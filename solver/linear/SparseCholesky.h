@@ -3,6 +3,8 @@
 
 #include "solver/linear/EliminationPlans.h"
 
+#include <algorithm>
+
 namespace vesicle
 {
 
@@ -13,7 +15,6 @@ template<class Scalar>
 class SupernodalCholesky
 {
 public:
-  using Columns = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
   using Vector = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
   SupernodalCholesky() = default;
@@ -28,25 +29,43 @@ public:
   /// D: as many are negative as the matrix has negative eigenvalues.
   const Vector& pivots() const { return pivots_; }
 
-  /// A⁻¹ b, b of one or more columns, which threads share.
+  /// A⁻¹ b, b of one or more columns.
   template<class Derived>
   typename Derived::PlainObject solve(const Eigen::MatrixBase<Derived>& b) const
   {
-    const std::vector<int>& position = plan_->position();
     typename Derived::PlainObject x = b;
-    Columns reordered(x.rows(), x.cols());
-    for (Eigen::Index i = 0; i < x.rows(); ++i)
-      reordered.row(position[i]) = x.row(i).template cast<Scalar>();
-    solve_in_place(reordered);
-    for (Eigen::Index i = 0; i < x.rows(); ++i)
-      x.row(i) = reordered.row(position[i]).template cast<double>();
+    for (Eigen::Index first = 0; first < x.cols(); first += columns_at_once)
+    {
+      const Eigen::Index columns = std::min<Eigen::Index>(columns_at_once, x.cols() - first);
+      solve_some(x.middleCols(first, columns));
+    }
     return x;
   }
 
 private:
+  static constexpr int columns_at_once = 4;
+
   bool factorize(const SymmetricMatrix& A);
-  void solve_in_place(Columns& x) const;
+  template<class Some>
+  void solve_some(Some&& x) const
+  {
+    const std::vector<int>& position = plan_->position();
+    const Eigen::Index width = x.cols() == 1 ? 1 : columns_at_once;
+    Vector reordered = Vector::Zero(width * x.rows());
+    for (Eigen::Index i = 0; i < x.rows(); ++i)
+      for (Eigen::Index c = 0; c < x.cols(); ++c)
+        reordered[width * position[i] + c] = static_cast<Scalar>(x(i, c));
+    if (width == 1)
+      solve_column(reordered.data());
+    else
+      solve_together(reordered.data());
+    for (Eigen::Index i = 0; i < x.rows(); ++i)
+      for (Eigen::Index c = 0; c < x.cols(); ++c)
+        x(i, c) = static_cast<double>(reordered[width * position[i] + c]);
+  }
   void solve_column(Scalar* column) const;
+  /// The columns' numbers side by side.
+  void solve_together(Scalar* columns) const;
 
   std::shared_ptr<const EliminationPlan> plan_;
   std::vector<Scalar> panels_; ///< L, unit lower triangles on top

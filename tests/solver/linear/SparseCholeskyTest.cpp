@@ -135,7 +135,7 @@ TEST(SparseCholesky, ReadsTheLowerTriangleAlone)
   EXPECT_EQ(SparseCholesky(A).solve(b), SparseCholesky(lower).solve(b));
 }
 
-TEST(SparseCholesky, ColumnsAreSolvedOneByOne)
+TEST(SparseCholesky, ColumnsAreSolvedAsOneByOne)
 {
   const SymmetricMatrix A = grids(9, 1, 2);
   const SparseCholesky factors(A);
@@ -143,7 +143,8 @@ TEST(SparseCholesky, ColumnsAreSolvedOneByOne)
   const Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> rows = b;
   EXPECT_EQ(Eigen::MatrixXd(factors.solve(rows)), x);
   for (int c = 0; c < 3; ++c)
-    EXPECT_EQ(factors.solve(Eigen::VectorXd(b.col(c))), x.col(c));
+    EXPECT_LT(
+      (factors.solve(Eigen::VectorXd(b.col(c))) - x.col(c)).norm(), 1e-13 * x.col(c).norm());
 }
 
 TEST(SparseCholesky, AKnownPatternIsNotAnalysedAgain)
