@@ -77,17 +77,17 @@ double ElasticSheet::energy(const Surface& surface) const
 Variation ElasticSheet::variation(const Surface& surface) const
 {
   const SurfacePoints& s = surface.points;
-  const Points gradient = nodal_sum<3>(*table_,
-    [&](Points& sum, int row)
-    {
-      const State at = state(s, row);
-      const Eigen::RowVector3d x_u = s.tangent_u.row(row), x_v = s.tangent_v.row(row),
-                               by_u = weight_[row] * (at.uu * x_u + at.uv * x_v),
-                               by_v = weight_[row] * (at.uv * x_u + at.vv * x_v);
-      for (int k = table_->start[row]; k < table_->start[row + 1]; ++k)
-        sum.row(table_->node[k]) += table_->du[k] * by_u + table_->dv[k] * by_v;
-    });
-  return { gradient.reshaped<Eigen::RowMajor>(), {} };
+  return { nodal_gradient(*table_, fields_of(table_->du, table_->dv),
+             [&](int row)
+             {
+               const State at = state(s, row);
+               Eigen::Matrix<double, 3, 2> tangents, stress;
+               tangents << s.tangent_u.row(row).transpose(), s.tangent_v.row(row).transpose();
+               stress << tangents * Eigen::Vector2d(at.uu, at.uv),
+                 tangents * Eigen::Vector2d(at.uv, at.vv);
+               return Eigen::Matrix<double, 3, 2>(weight_[row] * stress);
+             }),
+    {} };
 }
 
 }

@@ -1,6 +1,7 @@
 #include "solver/surface/ElementPattern.h"
 
-#include "solver/surface/OuterProduct.h"
+#include "solver/Lanes.h"
+#include "solver/surface/ElementProduct.h"
 
 #include <algorithm>
 
@@ -44,66 +45,88 @@ std::shared_ptr<const ElementPattern> pattern_of(const BasisTable& table)
   return table.pattern ? table.pattern : std::make_shared<const ElementPattern>(table);
 }
 
-ElementSum::ElementSum(const ElementPattern& pattern, int rows, int columns)
-  : pattern_(pattern), rows_(rows), columns_(columns),
-    values_(pattern.partner().size() * rows * columns, 0)
+template<int rows, int columns>
+ElementSum<rows, columns>::ElementSum(const ElementPattern& pattern)
+  : pattern_(pattern), values_(pattern.partner().size() * rows * columns, 0)
 {
 }
 
-void ElementSum::begin(const ElementPattern::Element& element)
+template<int rows, int columns>
+void ElementSum<rows, columns>::begin(const ElementPattern::Element& element)
 {
   element_ = &element;
-  block_.assign(static_cast<std::size_t>(element.width) * element.width * rows_ * columns_, 0);
+  products_ = 0;
 }
 
-void ElementSum::add_outer_product(double factor, const double* a, const double* b)
+template<int rows, int columns>
+void ElementSum<rows, columns>::add_outer_product(double factor, const double* a, const double* b)
 {
-  vesicle::add_outer_product(
-    rows_ * element_->width, columns_ * element_->width, factor, a, b, block_.data());
+  const int m = rows * element_->width, n = columns * element_->width;
+  const std::size_t at = products_++;
+  a_.resize(std::max(a_.size(), products_ * in_lanes(m)));
+  b_.resize(std::max(b_.size(), products_ * in_lanes(n)));
+  std::transform(a, a + m, a_.data() + at * in_lanes(m), [=](double x) { return factor * x; });
+  std::copy(b, b + n, b_.data() + at * in_lanes(n));
 }
 
-void ElementSum::end()
+template<int rows, int columns>
+void ElementSum<rows, columns>::end()
 {
-  const int width = element_->width, size = rows_ * columns_;
+  const int width = element_->width, stride = in_lanes(columns * width);
+  block_.resize(static_cast<std::size_t>(in_lanes(rows * width)) * stride);
+  multiply_rows(static_cast<int>(products_), rows * width, columns * width, a_.data(), b_.data(),
+    block_.data());
   const int* place = pattern_.places().data() + element_->first_pair;
-  for (int i = 0; i < width; ++i)
-    for (int j = 0; j < width; ++j, ++place)
-    {
-      double* to = values_.data() + static_cast<std::size_t>(*place) * size;
-      for (int a = 0; a < rows_; ++a)
-        for (int b = 0; b < columns_; ++b)
-          to[a * columns_ + b] +=
-            block_[(static_cast<std::size_t>(i) * rows_ + a) * width * columns_ + j * columns_ + b];
-    }
+  for (int i = 0; i < width; ++i, place += width)
+  {
+    const int node = pattern_.partner()[place[i]], first = pattern_.start()[node],
+              row_size = (pattern_.start()[node + 1] - first) * columns;
+    double* to = values_.data() + static_cast<std::size_t>(first) * rows * columns;
+    const double* from = block_.data() + static_cast<std::size_t>(i) * rows * stride;
+    for (int j = 0; j < width; ++j)
+      for (int a = 0; a < rows; ++a)
+        for (int b = 0; b < columns; ++b)
+          to[a * row_size + (place[j] - first) * columns + b] += from[a * stride + j * columns + b];
+  }
 }
 
-ElementSum& ElementSum::operator+=(const ElementSum& other)
+template<int rows, int columns>
+SparseMatrix ElementSum<rows, columns>::total(std::span<const ElementSum> sums)
 {
-  for (std::size_t i = 0; i < values_.size(); ++i)
-    values_[i] += other.values_[i];
-  return *this;
-}
-
-SparseMatrix ElementSum::matrix() const
-{
-  const int nodes = pattern_.nodes();
+  const ElementPattern& pattern = sums.front().pattern_;
+  const int nodes = pattern.nodes();
   SparseMatrix sum(
-    static_cast<Eigen::Index>(rows_) * nodes, static_cast<Eigen::Index>(columns_) * nodes);
-  sum.resizeNonZeros(static_cast<Eigen::Index>(values_.size()));
-  int next = 0;
-  for (int i = 0; i < nodes; ++i)
-    for (int a = 0; a < rows_; ++a)
+    static_cast<Eigen::Index>(rows) * nodes, static_cast<Eigen::Index>(columns) * nodes);
+  const auto size = static_cast<int>(sums.front().values_.size());
+  sum.resizeNonZeros(size);
+  sum.outerIndexPtr()[rows * nodes] = size;
+  constexpr int grain = 64;
+  parallel_for(
+    nodes,
+    [&](int i)
     {
-      sum.outerIndexPtr()[i * rows_ + a] = next;
-      for (int p = pattern_.start()[i]; p < pattern_.start()[i + 1]; ++p)
-        for (int b = 0; b < columns_; ++b, ++next)
-        {
-          sum.innerIndexPtr()[next] = pattern_.partner()[p] * columns_ + b;
-          sum.valuePtr()[next] = values_[(static_cast<std::size_t>(p) * rows_ + a) * columns_ + b];
-        }
-    }
-  sum.outerIndexPtr()[rows_ * nodes] = next;
+      const int first = pattern.start()[i], pairs = pattern.start()[i + 1] - first;
+      const int begin = first * rows * columns, end = begin + pairs * rows * columns;
+      int next = begin;
+      for (int a = 0; a < rows; ++a)
+      {
+        sum.outerIndexPtr()[i * rows + a] = next;
+        for (int p = first; p < first + pairs; ++p)
+          for (int b = 0; b < columns; ++b, ++next)
+            sum.innerIndexPtr()[next] = pattern.partner()[p] * columns + b;
+      }
+      std::copy(sums.front().values_.data() + begin, sums.front().values_.data() + end,
+        sum.valuePtr() + begin);
+      for (const ElementSum& part : sums.subspan(1))
+        for (int k = begin; k < end; ++k)
+          sum.valuePtr()[k] += part.values_[k];
+    },
+    grain);
   return sum;
 }
+
+template class ElementSum<1, 1>;
+template class ElementSum<1, 3>;
+template class ElementSum<3, 3>;
 
 }

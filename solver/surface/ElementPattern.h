@@ -5,6 +5,11 @@
 #include "solver/ParallelFor.h"
 #include "solver/surface/Basis.h"
 
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
 namespace vesicle
 {
 
@@ -37,43 +42,51 @@ private:
 std::shared_ptr<const ElementPattern> pattern_of(const BasisTable& table);
 
 /// A sum, element by element (element_sum()). A pair of nodes has a block of `rows` by `columns`
-/// numbers.
+/// numbers: 1 by 1, 1 by 3 or 3 by 3.
+template<int rows, int columns>
 class ElementSum
 {
 public:
   /// The pattern must outlive the sum.
-  ElementSum(const ElementPattern& pattern, int rows, int columns);
+  explicit ElementSum(const ElementPattern& pattern);
 
   void begin(const ElementPattern::Element& element);
   /// factor · a bᵀ to the element begun, a of `rows`, b of `columns` numbers for each of its nodes.
   void add_outer_product(double factor, const double* a, const double* b);
   void end();
-  ElementSum& operator+=(const ElementSum& other);
 
-  SparseMatrix matrix() const;
+  /// Of sums of one pattern, in their order.
+  static SparseMatrix total(std::span<const ElementSum> sums);
+  SparseMatrix matrix() const { return total({ this, 1 }); }
 
 private:
   const ElementPattern& pattern_;
+  // Of the element begun: all a and b, which are multiplied when it ends.
   const ElementPattern::Element* element_ = nullptr;
-  int rows_, columns_;
-  std::vector<double> block_;  ///< of the element begun
-  std::vector<double> values_; ///< of each pair its block, by rows
+  std::size_t products_ = 0;
+  std::vector<double> a_, b_, block_;
+  std::vector<double> values_; ///< the matrix's, by rows
 };
+
+extern template class ElementSum<1, 1>;
+extern template class ElementSum<1, 3>;
+extern template class ElementSum<3, 3>;
 
 /// The matrix to which add(sum, row, first entry, width) adds the outer products of each row of the
 /// table, `rows` times N by `columns` times N. Threads share the elements' parts, whose sums are added up
 /// in their order: results do not depend on the threads' number.
-template<class Add>
-SparseMatrix element_sum(const BasisTable& table, int rows, int columns, Add add)
+template<int rows, int columns, class Add>
+SparseMatrix element_sum(const BasisTable& table, Add add)
 {
   constexpr std::size_t parts = 4;
   const auto pattern = pattern_of(table);
   const std::span all(pattern->elements());
-  std::vector<ElementSum> sums(parts, ElementSum(*pattern, rows, columns));
+  using Sum = ElementSum<rows, columns>;
+  std::array<std::optional<Sum>, parts> made;
   parallel_for(parts,
     [&](std::size_t part)
     {
-      ElementSum& sum = sums[part];
+      Sum& sum = made[part].emplace(*pattern);
       const std::size_t first = all.size() * part / parts, last = all.size() * (part + 1) / parts;
       for (const ElementPattern::Element& e : all.subspan(first, last - first))
       {
@@ -83,9 +96,10 @@ SparseMatrix element_sum(const BasisTable& table, int rows, int columns, Add add
         sum.end();
       }
     });
-  for (std::size_t part = 1; part < parts; ++part)
-    sums[0] += sums[part];
-  return sums[0].matrix();
+  std::vector<Sum> sums;
+  for (std::optional<Sum>& sum : made)
+    sums.push_back(std::move(*sum));
+  return Sum::total(sums);
 }
 
 }

@@ -59,7 +59,7 @@ class Projection
 {
 public:
   explicit Projection(const LoopBasis& basis)
-    : pattern_(basis.tabulate(basis.rule(triangle_rule(1), 0))), mass_(pattern_, 1, 1),
+    : pattern_(basis.tabulate(basis.rule(triangle_rule(1), 0))), mass_(pattern_),
       moments_(Eigen::MatrixXd::Zero(basis.nodes(), 3))
   {
   }
@@ -88,7 +88,7 @@ public:
 
 private:
   ElementPattern pattern_;
-  ElementSum mass_;
+  ElementSum<1, 1> mass_;
   Eigen::MatrixXd moments_;
 };
 

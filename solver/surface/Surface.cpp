@@ -1,8 +1,10 @@
 #include "solver/surface/Surface.h"
 
+#include "solver/ParallelFor.h"
 #include "solver/surface/FittedCurvature.h"
 #include "solver/surface/LoopBasis.h"
 #include "solver/linear/SparseCholesky.h"
+#include "solver/linear/Symmetric.h"
 
 namespace vesicle
 {
@@ -45,19 +47,26 @@ SurfaceSpace::SurfaceSpace(
 Surface::Surface(const SurfaceSpace& s, const Points& at)
   : space(&s), vertices(at), control(rows_of_three(s.collocation().to_control(flat(at)))),
     points(evaluate(s.table(), control)), area(vesicle::area(points)),
-    volume(vesicle::volume(s.table(), points)), center(centroid(s.table(), points)),
-    vertex_area(vertex_areas(s.table(), points)), normals(s.basis().vertex_normals(control)),
-    volume_gradient(s.collocation().from_control(vesicle::volume_gradient(s.table(), points))),
-    area_rate(area_rate_matrix(s.table(), points))
+    volume(vesicle::volume(s.table(), points)), center(centroid(s.table(), points))
 {
-  const auto W = centroid_velocity_matrix(s.table(), points);
-  centroid_velocity.resize(3, W.cols());
-  for (int d = 0; d < 3; ++d)
-    centroid_velocity.row(d) = s.collocation().from_control(W.row(d).transpose()).transpose();
-  if (s.smooth())
-    curvature = point_curvature(s.table(), points, control);
-  else
-    cotan.emplace(vertices, s.triangles());
+  run_together({ [&]
+    {
+      const auto W = centroid_velocity_matrix(s.table(), points);
+      centroid_velocity.resize(3, W.cols());
+      for (int d = 0; d < 3; ++d)
+        centroid_velocity.row(d) = s.collocation().from_control(W.row(d).transpose()).transpose();
+    },
+    [&]
+    {
+      vertex_area = vertex_areas(s.table(), points);
+      normals = s.basis().vertex_normals(control);
+      volume_gradient = s.collocation().from_control(vesicle::volume_gradient(s.table(), points));
+      if (s.smooth())
+        curvature = point_curvature(s.table(), points, control);
+      else
+        cotan.emplace(vertices, s.triangles());
+    },
+    [&] { area_rate = area_rate_matrix(s.table(), points); } });
 }
 
 Eigen::VectorXd Surface::divergence(const Eigen::VectorXd& velocity) const
@@ -83,8 +92,7 @@ namespace
 Curvature weak_curvature(const Surface& surface)
 {
   const BasisTable& table = surface.space->table();
-  const SparseCholesky mass(
-    SymmetricMatrix(mass_matrix(table, surface.points)), surface.space->plans());
+  const SparseCholesky mass(by_columns(mass_matrix(table, surface.points)), surface.space->plans());
   const auto projected = [&](const Eigen::VectorXd& load) -> Eigen::VectorXd
   { return surface.collocation().at_vertices(mass.solve(load)); };
   Curvature c;

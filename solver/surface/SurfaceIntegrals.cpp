@@ -4,7 +4,8 @@
 #include "solver/surface/ElementPattern.h"
 #include "solver/surface/NodalSum.h"
 
-#include <vector>
+#include <algorithm>
+#include <array>
 
 namespace vesicle
 {
@@ -14,12 +15,22 @@ namespace
 
 using Row3 = Eigen::RowVector3d;
 
+// Rows of a task: some ten thousand operations.
+constexpr int task_rows = 256;
+
 // Calls visit(row) for every row, in parallel.
 template<class Visit>
 void for_each_row(int rows, Visit visit)
 {
-  constexpr int grain = 256; // rows, some ten thousand operations
-  parallel_for(rows, visit, grain);
+  parallel_for(rows, visit, task_rows);
+}
+
+// Calls visit(begin, end) for parts of the rows, in parallel.
+template<class Visit>
+void for_each_part(int rows, Visit visit)
+{
+  parallel_for((rows + task_rows - 1) / task_rows,
+    [&](int task) { visit(task * task_rows, std::min((task + 1) * task_rows, rows)); });
 }
 
 // The area's centroid: volumes are computed from there, so that a vesicle far from the origin loses
@@ -29,46 +40,36 @@ Row3 reference_point(const SurfacePoints& s)
   return s.area_weight.transpose() * s.position / s.area_weight.sum();
 }
 
-// weight · |a_u × a_v| ∇_s N_k = weight · [∂N_k/∂u (a_v × n) + ∂N_k/∂v (n × a_u)]: the derivative
-// of the row's share of the area with respect to node k.
-struct ScaledGradient
+// Of a row's share of the area, with respect to its tangents: weight · |a_u × a_v| ∇_s N_k is
+// weight · [∂N_k/∂u (a_v × n) + ∂N_k/∂v (n × a_u)].
+Eigen::Matrix<double, 3, 2> share_of_area(const BasisTable& table, const SurfacePoints& s, int q)
 {
-  Row3 along_u, along_v;
-  ScaledGradient(const BasisTable& table, const SurfacePoints& s, int q)
-  {
-    const Row3 n = s.cross.row(q).normalized();
-    along_u = table.weight[q] * s.tangent_v.row(q).cross(n);
-    along_v = table.weight[q] * n.cross(s.tangent_u.row(q));
-  }
-  Row3 of(const BasisTable& table, int k) const
-  {
-    return table.du[k] * along_u + table.dv[k] * along_v;
-  }
-};
+  const Row3 n = s.cross.row(q).normalized();
+  Eigen::Matrix<double, 3, 2> gradient;
+  gradient << (table.weight[q] * s.tangent_v.row(q).cross(n)).transpose(),
+    (table.weight[q] * n.cross(s.tangent_u.row(q))).transpose();
+  return gradient;
+}
 
 }
 
 SurfacePoints evaluate(const BasisTable& table, const Points& nodes)
 {
   const int rows = table.rows();
+  const PaddedPoints x = padded(nodes);
   SurfacePoints s{ RowVectors(rows, 3), RowVectors(rows, 3), RowVectors(rows, 3),
     RowVectors(rows, 3), Eigen::VectorXd(rows) };
-  for_each_row(table.rows(),
-    [&](int q)
+  const auto fields = fields_of(table.value, table.du, table.dv);
+  const std::array sums{ s.position.data(), s.tangent_u.data(), s.tangent_v.data() };
+  for_each_part(rows,
+    [&](int begin, int end)
     {
-      Row3 x = Row3::Zero(), a = x, b = x;
-      for (int k = table.start[q]; k < table.start[q + 1]; ++k)
+      sum_over_entries({ table, fields, begin, end }, x, sums, rows);
+      for (int q = begin; q < end; ++q)
       {
-        const auto node = nodes.row(table.node[k]);
-        x += table.value[k] * node;
-        a += table.du[k] * node;
-        b += table.dv[k] * node;
+        s.cross.row(q) = s.tangent_u.row(q).cross(s.tangent_v.row(q));
+        s.area_weight[q] = table.weight[q] * s.cross.row(q).norm();
       }
-      s.position.row(q) = x;
-      s.tangent_u.row(q) = a;
-      s.tangent_v.row(q) = b;
-      s.cross.row(q) = a.cross(b);
-      s.area_weight[q] = table.weight[q] * s.cross.row(q).norm();
     });
   return s;
 }
@@ -97,29 +98,27 @@ Eigen::RowVector3d interpolate(const BasisTable& table, int row, const Points& n
 
 RowVectors interpolate(const BasisTable& table, const Points& nodal)
 {
+  const PaddedPoints x = padded(nodal);
   RowVectors values(table.rows(), 3);
-  for_each_row(table.rows(), [&](int row) { values.row(row) = interpolate(table, row, nodal); });
+  const auto fields = fields_of(table.value);
+  const std::array sums{ values.data() };
+  for_each_part(table.rows(),
+    [&](int begin, int end) {
+      sum_over_entries({ table, fields, begin, end }, x, sums, table.rows());
+    });
   return values;
 }
 
 SecondDerivatives second_derivatives(const BasisTable& table, const Points& nodes)
 {
   const int rows = table.rows();
+  const PaddedPoints x = padded(nodes);
   SecondDerivatives d{ RowVectors(rows, 3), RowVectors(rows, 3), RowVectors(rows, 3) };
-  for_each_row(table.rows(),
-    [&](int q)
-    {
-      Row3 uu = Row3::Zero(), uv = uu, vv = uu;
-      for (int k = table.start[q]; k < table.start[q + 1]; ++k)
-      {
-        const auto node = nodes.row(table.node[k]);
-        uu += table.duu[k] * node;
-        uv += table.duv[k] * node;
-        vv += table.dvv[k] * node;
-      }
-      d.uu.row(q) = uu;
-      d.uv.row(q) = uv;
-      d.vv.row(q) = vv;
+  const auto fields = fields_of(table.duu, table.duv, table.dvv);
+  const std::array sums{ d.uu.data(), d.uv.data(), d.vv.data() };
+  for_each_part(rows,
+    [&](int begin, int end) {
+      sum_over_entries({ table, fields, begin, end }, x, sums, rows);
     });
   return d;
 }
@@ -180,29 +179,18 @@ Eigen::VectorXd vertex_areas(const BasisTable& table, const SurfacePoints& s)
 
 SparseMatrix area_rate_matrix(const BasisTable& table, const SurfacePoints& s)
 {
-  return element_sum(table, 1, 3,
-    [&](ElementSum& sum, int q, int first, int width)
-    {
-      const ScaledGradient gradient(table, s, q);
-      thread_local Points gradients;
-      gradients.resize(width, 3);
-      for (int j = 0; j < width; ++j)
-        gradients.row(j) = gradient.of(table, first + j);
-      sum.add_outer_product(1, table.value.data() + first, gradients.data());
-    });
+  const EntryVectors gradients = entry_gradients(
+    table, fields_of(table.du, table.dv), [&](int q) { return share_of_area(table, s, q); });
+  return element_sum<1, 3>(table,
+    [&](ElementSum<1, 3>& sum, int, int first, int)
+    { sum.add_outer_product(1, table.value.data() + first, gradients.row(first).data()); });
 }
 
 // The functions N_k add up to 1.
 Eigen::VectorXd area_gradient(const BasisTable& table, const SurfacePoints& s)
 {
-  const Points total = nodal_sum<3>(table,
-    [&](Points& sum, int q)
-    {
-      const ScaledGradient gradient(table, s, q);
-      for (int k = table.start[q]; k < table.start[q + 1]; ++k)
-        sum.row(table.node[k]) += gradient.of(table, k);
-    });
-  return total.reshaped<Eigen::RowMajor>();
+  return nodal_gradient(
+    table, fields_of(table.du, table.dv), [&](int q) { return share_of_area(table, s, q); });
 }
 
 Eigen::VectorXd volume_gradient(const BasisTable& table, const SurfacePoints& s)
@@ -210,42 +198,33 @@ Eigen::VectorXd volume_gradient(const BasisTable& table, const SurfacePoints& s)
   // V is cubic in the nodes; its exact derivative keeps the tangential parts that cancel only when
   // the quadrature is exact.
   const Row3 origin = reference_point(s);
-  const Points gradient = nodal_sum<3>(table,
-    [&](Points& sum, int q)
+  return nodal_gradient(table, fields_of(table.value, table.du, table.dv),
+    [&](int q)
     {
-      const Row3 x = s.position.row(q) - origin, along_u = s.tangent_v.row(q).cross(x),
-                 along_v = x.cross(s.tangent_u.row(q)), n = s.cross.row(q);
-      for (int k = table.start[q]; k < table.start[q + 1]; ++k)
-        sum.row(table.node[k]) += table.weight[q] / 3 *
-          (table.value[k] * n + table.du[k] * along_u + table.dv[k] * along_v);
+      const Row3 x = s.position.row(q) - origin;
+      Eigen::Matrix3d gradient;
+      gradient << s.cross.row(q).transpose(), s.tangent_v.row(q).cross(x).transpose(),
+        x.cross(s.tangent_u.row(q)).transpose();
+      return Eigen::Matrix3d(table.weight[q] / 3 * gradient);
     });
-  return gradient.reshaped<Eigen::RowMajor>();
 }
 
 Eigen::VectorXd normal_load(
   const BasisTable& table, const SurfacePoints& s, const Eigen::VectorXd& density)
 {
-  const Points load = nodal_sum<3>(table,
-    [&](Points& sum, int q)
-    {
-      const Row3 f = table.weight[q] * density[q] * s.cross.row(q);
-      for (int k = table.start[q]; k < table.start[q + 1]; ++k)
-        sum.row(table.node[k]) += table.value[k] * f;
-    });
-  return load.reshaped<Eigen::RowMajor>();
+  return nodal_gradient(table, fields_of(table.value),
+    [&](int q) -> Vector3 { return table.weight[q] * density[q] * s.cross.row(q).transpose(); });
 }
 
 Eigen::Matrix<double, 3, Eigen::Dynamic> centroid_velocity_matrix(
   const BasisTable& table, const SurfacePoints& s)
 {
-  const Row3 center = centroid(table, s).transpose();
-  Eigen::Matrix<double, 3, Eigen::Dynamic> W =
-    Eigen::Matrix<double, 3, Eigen::Dynamic>::Zero(3, 3 * table.nodes);
-  for (int q = 0; q < table.rows(); ++q)
-    for (int k = table.start[q]; k < table.start[q + 1]; ++k)
-      W.block<3, 3>(0, 3 * table.node[k]) += table.weight[q] * table.value[k] *
-        (s.position.row(q) - center).transpose() * s.cross.row(q);
-  return W / volume(table, s);
+  const Vector3 center = centroid(table, s);
+  Eigen::Matrix<double, 3, Eigen::Dynamic> W(3, 3 * table.nodes);
+  for (int d = 0; d < 3; ++d)
+    W.row(d) =
+      normal_load(table, s, s.position.col(d).array() - center[d]).transpose() / volume(table, s);
+  return W;
 }
 
 Points area_weighted_normals(const Eigen::VectorXd& volume_gradient)

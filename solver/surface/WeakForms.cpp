@@ -1,6 +1,7 @@
 #include "solver/surface/WeakForms.h"
 
 #include "solver/ParallelFor.h"
+#include "solver/surface/TableLoops.h"
 
 namespace vesicle
 {
@@ -18,6 +19,7 @@ PointCurvature point_curvature(
   PointCurvature c{ Eigen::VectorXd(table.rows()), Eigen::VectorXd(table.rows()),
     std::vector<double>(table.node.size()) };
   const SecondDerivatives second = second_derivatives(table, control);
+  const auto fields = fields_of(table.du, table.dv, table.duu, table.duv, table.dvv);
   const auto at_row = [&](int q)
   {
     const Row3 uu = second.uu.row(q), uv = second.uv.row(q), vv = second.vv.row(q);
@@ -29,10 +31,8 @@ PointCurvature point_curvature(
     c.gauss[q] = (uu.dot(n) * vv.dot(n) - uv.dot(n) * uv.dot(n)) / (J * J);
     // a^{αβ} Γ^γ_{αβ}, Γ^γ_{αβ} = ∂_α∂_β x · a^γ.
     const Row3 trace = g_uu * uu + 2 * g_uv * uv + g_vv * vv;
-    const double along_u = trace.dot(dual_u), along_v = trace.dot(dual_v);
-    for (int k = table.start[q]; k < table.start[q + 1]; ++k)
-      c.laplacian[k] = g_uu * table.duu[k] + 2 * g_uv * table.duv[k] + g_vv * table.dvv[k] -
-        along_u * table.du[k] - along_v * table.dv[k];
+    const std::array of_fields{ -trace.dot(dual_u), -trace.dot(dual_v), g_uu, 2 * g_uv, g_vv };
+    combine_numbers({ table, fields, q, q + 1 }, of_fields.data(), c.laplacian.data());
   };
   parallel_for(table.rows(), at_row, 256);
   return c;
@@ -40,8 +40,8 @@ PointCurvature point_curvature(
 
 SparseMatrix gauss_newton_matrix(const BasisTable& table, const std::vector<EntryVectors>& rates)
 {
-  return element_sum(table, 3, 3,
-    [&](ElementSum& sum, int, int first, int)
+  return element_sum<3, 3>(table,
+    [&](ElementSum<3, 3>& sum, int, int first, int)
     {
       for (const EntryVectors& R : rates)
       {
@@ -59,8 +59,8 @@ SparseMatrix mass_matrix(const BasisTable& table, const SurfacePoints& surface)
 // ∇N_j·∇N_k by an orthonormal frame at each point: two numbers an entry.
 SparseMatrix stiffness_matrix(const BasisTable& table, const SurfacePoints& s)
 {
-  return element_sum(table, 1, 1,
-    [&](ElementSum& sum, int q, int first, int width)
+  return element_sum<1, 1>(table,
+    [&](ElementSum<1, 1>& sum, int q, int first, int width)
     {
       const Row3 a = s.tangent_u.row(q), b = s.tangent_v.row(q);
       const double length = a.norm(), J = s.cross.row(q).norm(), skew = a.dot(b) / length;

@@ -51,8 +51,8 @@ void add_moments(const BasisTable& table, const SurfacePoints& surface, const Ei
 template<class Value>
 SparseMatrix gram_matrix(const BasisTable& table, const SurfacePoints& surface, Value value)
 {
-  return element_sum(table, 1, 1,
-    [&](ElementSum& sum, int q, int first, int width)
+  return element_sum<1, 1>(table,
+    [&](ElementSum<1, 1>& sum, int q, int first, int width)
     {
       thread_local std::vector<double> a;
       a.resize(width);

@@ -2,6 +2,7 @@
 
 #include "solver/surface/CurvatureRates.h"
 
+#include "solver/surface/NodalSum.h"
 #include "solver/surface/Surface.h"
 #include "tests/solver/support/TestMeshes.h"
 
@@ -57,12 +58,16 @@ TEST(CurvatureRates, AreTheDerivatives)
 
   const double h = 1e-6;
   const Quantities after = at(table, control + h * d), before = at(table, control - h * d);
+  const EntryVectors of_twice_mean = entry_gradients(table, curvature_fields(table),
+                       [&](int q) { return rates.of_twice_mean[q]; }),
+                     of_area = entry_gradients(table, fields_of(table.du, table.dv),
+                       [&](int q) { return rates.of_area[q]; });
   Eigen::VectorXd mean = Eigen::VectorXd::Zero(table.rows()), area = mean;
   for (int q = 0; q < table.rows(); ++q)
     for (int k = table.start[q]; k < table.start[q + 1]; ++k)
     {
-      mean[q] += rates.of_twice_mean.row(k).dot(d.row(table.node[k]));
-      area[q] += rates.of_area.row(k).dot(d.row(table.node[k]));
+      mean[q] += of_twice_mean.row(k).dot(d.row(table.node[k]));
+      area[q] += of_area.row(k).dot(d.row(table.node[k]));
     }
   const Eigen::VectorXd mean_slope = (after.twice_mean - before.twice_mean) / (2 * h),
                         area_slope =
