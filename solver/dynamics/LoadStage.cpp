@@ -127,7 +127,7 @@ Eigen::VectorXd LoadStage::stiff_change(std::size_t v, const Eigen::VectorXd& pa
   const NodeMotion& motion = loads(v).motion();
   return -tau_ *
     motion.parameters_adjoint(
-      motion.velocity_adjoint(loads(v).stiffness() * motion.velocity(parameters)));
+      motion.velocity_adjoint(loads(v).stiff_force(motion.velocity(parameters))));
 }
 
 Eigen::VectorXd LoadStage::load_of(std::size_t v, const LoadUnknowns& x) const

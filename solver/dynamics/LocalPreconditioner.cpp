@@ -3,6 +3,7 @@
 #include "solver/Errors.h"
 #include "solver/ParallelFor.h"
 #include "solver/dynamics/LoadStage.h"
+#include "solver/linear/Symmetric.h"
 
 #include <Eigen/LU>
 
@@ -22,8 +23,9 @@ SparseMatrix layer_inverse(const VesicleLoads& loads)
                radius = std::sqrt(surface.area / (4 * std::numbers::pi)),
                k0 = 2 * std::pow(nodes, 0.25) / radius,
                viscosity = (1 + loads.viscosity_ratio()) / 2;
-  return 2 * viscosity / k0 * stiffness_matrix(surface.space->table(), surface.points) +
-    2 * viscosity * k0 * loads.mass();
+  SparseMatrix sum = stiffness_matrix(surface.space->table(), surface.points);
+  sum.coeffs() = 2 * viscosity * (sum.coeffs() / k0 + k0 * loads.mass().coeffs()); // of one pattern
+  return sum;
 }
 
 using Entries = std::vector<Eigen::Triplet<double>>;
@@ -124,7 +126,7 @@ void LocalPreconditioner::build_stiff(const VesicleLoads& loads, double tau)
     sum += tau * (material ? loads.stiffness() : loads.stiffness_along(loads.surface().normals));
   if (loads.taut())
     sum += loads.resistance();
-  stiff_.compute(SymmetricMatrix(sum), loads.surface().space->plans());
+  stiff_.compute(by_columns(sum), loads.surface().space->plans());
   require(stiff_.regular());
 }
 

@@ -1,10 +1,12 @@
 #include "solver/dynamics/TangentialMotion.h"
 
 #include "solver/Errors.h"
+#include "solver/linear/Symmetric.h"
 #include "solver/surface/NodeFrames.h"
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vesicle
@@ -36,6 +38,61 @@ Eigen::VectorXd gathered(const Tangents& T, const Eigen::VectorXd& t)
   return d;
 }
 
+// TᵀPT, its blocks of 2 by 2 in the places of P's entries.
+SparseMatrix between_tangents(const SparseMatrix& P, const Tangents& T)
+{
+  SparseMatrix X(2 * P.rows(), 2 * P.cols());
+  X.resizeNonZeros(4 * P.nonZeros());
+  int next = 0;
+  for (int i = 0; i < P.rows(); ++i)
+    for (int a = 0; a < 2; ++a)
+    {
+      X.outerIndexPtr()[2 * i + a] = next;
+      for (SparseMatrix::InnerIterator it(P, i); it; ++it)
+        for (int b = 0; b < 2; ++b, ++next)
+        {
+          X.innerIndexPtr()[next] = 2 * static_cast<int>(it.col()) + b;
+          X.valuePtr()[next] =
+            it.value() * T.row(i).segment<3>(3 * a).dot(T.row(it.col()).segment<3>(3 * b));
+        }
+    }
+  X.outerIndexPtr()[2 * P.rows()] = next;
+  return X;
+}
+
+// form += XᵀWX, W of the nodes' weights, block by block. Neighbours of a node are on one element with
+// it, so that the form of a stiffness has places for them.
+void add_weighted_square(const SparseMatrix& X, const Eigen::VectorXd& weight, SparseMatrix& form)
+{
+  using Block = Eigen::Matrix2d;
+  for (int k = 0; k < weight.size(); ++k)
+  {
+    const int begin = X.outerIndexPtr()[2 * k], end = X.outerIndexPtr()[2 * k + 1],
+              row_size = end - begin;
+    const auto block = [&](int p) // of rows 2k and 2k + 1
+    {
+      const double *first = X.valuePtr() + p, *second = first + row_size;
+      return Block{ { first[0], first[1] }, { second[0], second[1] } };
+    };
+    for (int p = begin; p < end; p += 2)
+    {
+      const int row = X.innerIndexPtr()[p];
+      const int *from = form.innerIndexPtr() + form.outerIndexPtr()[row],
+                *to = form.innerIndexPtr() + form.outerIndexPtr()[row + 1];
+      const Block left = weight[k] * block(p).transpose();
+      for (int q = begin; q < end; q += 2)
+      {
+        const Block product = left * block(q);
+        double* at = form.valuePtr() +
+          (std::lower_bound(from, to, X.innerIndexPtr()[q]) - form.innerIndexPtr());
+        for (int a = 0; a < 2; ++a)
+          for (int b = 0; b < 2; ++b)
+            at[a * (to - from) + b] += product(a, b);
+      }
+    }
+  }
+}
+
 }
 
 // The operator of the quadratic form in the coordinates d, t = T d, and its preconditioner:
@@ -50,23 +107,11 @@ public:
   {
     if (!stiff())
       return;
-    const Eigen::Index n = T_.rows();
-    std::vector<Eigen::Triplet<double>> entries;
-    const SparseMatrix& P = loads.surface().collocation().matrix();
-    for (int i = 0; i < n; ++i)
-      for (SparseMatrix::InnerIterator it(P, i); it; ++it)
-        for (int a = 0; a < 2; ++a)
-          for (int b = 0; b < 2; ++b)
-            entries.emplace_back(2 * i + a, 2 * static_cast<int>(it.col()) + b,
-              it.value() * T_.row(i).segment<3>(3 * a).dot(T_.row(it.col()).segment<3>(3 * b)));
-    X_.resize(2 * n, 2 * n);
-    X_.setFromTriplets(entries.begin(), entries.end());
-    Eigen::VectorXd twice(2 * n);
-    for (Eigen::Index i = 0; i < n; ++i)
-      twice.segment<2>(2 * i).setConstant(weight_[i]);
-    SparseMatrix form = SparseMatrix(X_.transpose()) * SparseMatrix(twice.asDiagonal() * X_);
-    form += mesh_implicitness * tau * loads.stiffness_along(T_);
-    factors_.compute(SymmetricMatrix(form), loads.surface().space->plans());
+    X_ = between_tangents(loads.surface().collocation().matrix(), T_);
+    SparseMatrix form = loads.stiffness_along(T_);
+    form.coeffs() *= mesh_implicitness * tau;
+    add_weighted_square(X_, weight_, form);
+    factors_.compute(by_columns(form), loads.surface().space->plans());
     if (!factors_.regular())
       throw NumericalError("the problem of the tangential motion is singular");
   }
@@ -89,7 +134,7 @@ public:
   {
     if (!stiff())
       return Eigen::VectorXd::Zero(2 * T_.rows());
-    return tau_ * dual(loads_.stiffness() * loads_.surface().to_control(w));
+    return tau_ * dual(loads_.stiff_force(loads_.surface().to_control(w)));
   }
   /// From now on solve() keeps to d with a·d = v·d = 0.
   void constrain(const Eigen::VectorXd& a, const Eigen::VectorXd& v)

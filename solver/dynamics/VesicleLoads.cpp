@@ -1,6 +1,8 @@
 #include "solver/dynamics/VesicleLoads.h"
 
 #include "solver/ParallelFor.h"
+#include "solver/linear/GroupedRows.h"
+#include "solver/linear/Symmetric.h"
 
 #include <algorithm>
 #include <iterator>
@@ -36,7 +38,7 @@ VesicleLoads::VesicleLoads(const Vesicle& vesicle, const Surface& surface,
 void VesicleLoads::make_mass()
 {
   mass_ = mass_matrix(surface_->space->table(), surface_->points);
-  mass_factors_.compute(SymmetricMatrix(mass_), surface_->space->plans());
+  mass_factors_.compute(by_columns(mass_), surface_->space->plans());
 }
 
 void VesicleLoads::add_terms(const MembraneTerms& terms)
@@ -84,6 +86,11 @@ Eigen::VectorXd VesicleLoads::resisting_load(const Eigen::VectorXd& speeds) cons
 Eigen::VectorXd VesicleLoads::taut_load(const Eigen::VectorXd& at_vertices) const
 {
   return taut_load_ + resisting_load(motion_.parameters(at_vertices));
+}
+
+Eigen::VectorXd VesicleLoads::stiff_force(const Eigen::VectorXd& displacement) const
+{
+  return multiply_grouped(stiffness_, 3, displacement);
 }
 
 SparseMatrix VesicleLoads::stiffness_along(const Eigen::Ref<const DirectionRows>& directions) const
@@ -145,7 +152,7 @@ Eigen::VectorXd VesicleLoads::tension_rows(
 
 Eigen::VectorXd VesicleLoads::area_rates(const Eigen::VectorXd& velocity) const
 {
-  return constraint().rate * velocity +
+  return multiply_grouped(constraint().rate, 1, velocity) +
     area_share_.dot(velocity) / surface_->area * surface_->vertex_area;
 }
 

@@ -50,6 +50,8 @@ public:
   /// empty if none is stiff.
   const SparseMatrix& stiffness() const { return stiffness_; }
   bool stiff() const { return stiffness_.rows() > 0; }
+  /// K times a displacement of the control points.
+  Eigen::VectorXd stiff_force(const Eigen::VectorXd& displacement) const;
   /// K for motions of the nodes along m directions each, which their rows hold: m N by m N.
   using DirectionRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   SparseMatrix stiffness_along(const Eigen::Ref<const DirectionRows>& directions) const;
