@@ -7,6 +7,7 @@
 
 #include "solver/Doing.h"
 #include "solver/Errors.h"
+#include "solver/KeptMemory.h"
 #include "solver/linear/Blas.h"
 #include "solver/scene/NearestName.h"
 
@@ -161,6 +162,7 @@ int main(int argc, char** argv)
 {
   vesicle::prepare_standard_streams();
   vesicle::restart_with_blas_kernel(argv);
+  vesicle::keep_freed_memory();
   vesicle::use_output_window_only();
   return vesicle::checked_output(vesicle::run_command_line(argc, argv));
 }

@@ -1,4 +1,5 @@
 // Speed beside the machine's own: bash tests/benchmarks/run.sh runs all of it and makes a table.
+#include "solver/KeptMemory.h"
 #include "solver/linear/Blas.h"
 
 #include <benchmark/benchmark.h>
@@ -19,6 +20,7 @@ static std::string processor()
 int main(int argc, char** argv)
 {
   vesicle::restart_with_blas_kernel(argv);
+  vesicle::keep_freed_memory();
   benchmark::AddCustomContext("BLAS kernel", vesicle::blas_kernel());
   benchmark::AddCustomContext("processor", processor());
   benchmark::Initialize(&argc, argv);
