@@ -71,7 +71,7 @@ public:
   Diagnostics diagnose(const State& state, std::size_t vesicle = 0);
   /// Of each vesicle.
   std::vector<Diagnostics> diagnose_all(const State& state);
-  /// Takes about as long as six steps; of several vesicles the worst. Throws NumericalError.
+  /// Takes about as long as three steps; of several vesicles the worst. Throws NumericalError.
   ErrorEstimate error_estimate(const State& state);
 
   /// Positions between a state that is ready() and the next by cubic Hermite interpolation, in the
