@@ -56,29 +56,66 @@ double real_spherical_harmonic(int l, int m, const Eigen::Vector3d& d)
   return std::numbers::sqrt2 * legendre * (m > 0 ? azimuth.real() : azimuth.imag());
 }
 
+namespace
+{
+
+// Calls visit(m, cosine, sine) for m = 0 … degree: weight · (x + iy)^m, √2 of it for m > 0.
+template<class Visit>
+void for_each_azimuth(
+  int degree, const Eigen::MatrixX3d& directions, const Eigen::ArrayXd& weights, Visit visit)
+{
+  const Eigen::ArrayXd x = directions.col(0), y = directions.col(1);
+  Eigen::ArrayXd cosine = weights, sine = Eigen::ArrayXd::Zero(weights.size());
+  for (int m = 0; m <= degree; ++m)
+  {
+    visit(m, cosine, sine);
+    const double factor = m == 0 ? std::numbers::sqrt2 : 1;
+    const Eigen::ArrayXd next = factor * (x * cosine - y * sine);
+    sine = factor * (x * sine + y * cosine);
+    cosine = next;
+  }
+}
+
+}
+
 Eigen::VectorXd harmonic_moments(
   int degree, const Eigen::MatrixX3d& directions, const Eigen::VectorXd& weights)
 {
   using Array = Eigen::ArrayXd;
-  const Array x = directions.col(0), y = directions.col(1), z = directions.col(2);
+  const Array z = directions.col(2);
   Eigen::VectorXd moments(harmonic_count(degree));
-  // weight · (x + iy)^m, and √2 of it for m > 0
-  Array cosine = weights, sine = Array::Zero(weights.size());
-  for (int m = 0; m <= degree; ++m)
-  {
-    for_each_legendre(m, degree, z,
-      [&](int l, const Array& legendre)
-      {
-        moments[harmonic_index(l, m)] = (cosine * legendre).sum();
-        if (m > 0)
-          moments[harmonic_index(l, -m)] = (sine * legendre).sum();
-      });
-    const double factor = m == 0 ? std::numbers::sqrt2 : 1;
-    const Array next = factor * (x * cosine - y * sine);
-    sine = factor * (x * sine + y * cosine);
-    cosine = next;
-  }
+  for_each_azimuth(degree, directions, weights,
+    [&](int m, const Array& cosine, const Array& sine)
+    {
+      for_each_legendre(m, degree, z,
+        [&](int l, const Array& legendre)
+        {
+          moments[harmonic_index(l, m)] = (cosine * legendre).sum();
+          if (m > 0)
+            moments[harmonic_index(l, -m)] = (sine * legendre).sum();
+        });
+    });
   return moments;
+}
+
+Eigen::VectorXd harmonic_sums(
+  int degree, const Eigen::VectorXd& amplitudes, const Eigen::MatrixX3d& directions)
+{
+  using Array = Eigen::ArrayXd;
+  const Array z = directions.col(2);
+  Array sums = Array::Zero(z.size());
+  for_each_azimuth(degree, directions, Array::Ones(z.size()),
+    [&](int m, const Array& cosine, const Array& sine)
+    {
+      for_each_legendre(m, degree, z,
+        [&](int l, const Array& legendre)
+        {
+          sums += amplitudes[harmonic_index(l, m)] * cosine * legendre;
+          if (m > 0)
+            sums += amplitudes[harmonic_index(l, -m)] * sine * legendre;
+        });
+    });
+  return sums;
 }
 
 }

@@ -25,5 +25,8 @@ constexpr int harmonic_index(int l, int m)
 /// vectors, one a row.
 Eigen::VectorXd harmonic_moments(
   int degree, const Eigen::MatrixX3d& directions, const Eigen::VectorXd& weights);
+/// Σ_lm amplitude_lm Y_lm for all l ≤ degree at each direction.
+Eigen::VectorXd harmonic_sums(
+  int degree, const Eigen::VectorXd& amplitudes, const Eigen::MatrixX3d& directions);
 
 }
