@@ -1,6 +1,11 @@
 #include "solver/membrane/ElasticSheet.h"
 
+#include "solver/ParallelFor.h"
 #include "solver/surface/NodalSum.h"
+#include "solver/surface/TangentFrame.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace vesicle
 {
@@ -34,6 +39,13 @@ StrainEnergy strain_energy(const ElasticModuli& m, double i1, double i2)
     G / 2 * (C * i2 - 1) };
 }
 
+/// ½ (∂/∂ε)² of the part of W that depends on the area alone, which grows by 1 + ε.
+double dilation_stiffness(const ElasticModuli& m, double squared_area)
+{
+  return m.law == ElasticLaw::neo_hookean ? m.shear / squared_area
+                                          : m.shear * m.dilation * squared_area * squared_area;
+}
+
 }
 
 ElasticSheet::ElasticSheet(
@@ -62,8 +74,9 @@ ElasticSheet::State ElasticSheet::state(const SurfacePoints& surface, int row) c
   const StrainEnergy W = strain_energy(moduli_, i1, ratio - 1);
   // ∂I2/∂a_αβ = det a/det A a^{αβ}: the adjugate of a over det A.
   const double i2 = W.by_i2 * inverse_determinant_[row];
+  const double shear = std::max(W.by_i1, 0.) * (i1 + 2);
   return { W.energy, 2 * (W.by_i1 * A[0] + i2 * a.vv), 2 * (W.by_i1 * A[1] - i2 * a.uv),
-    2 * (W.by_i1 * A[2] + i2 * a.uu) };
+    2 * (W.by_i1 * A[2] + i2 * a.uu), shear, shear + 2 * dilation_stiffness(moduli_, ratio) };
 }
 
 double ElasticSheet::energy(const Surface& surface) const
@@ -87,7 +100,31 @@ Variation ElasticSheet::variation(const Surface& surface) const
                  tangents * Eigen::Vector2d(at.uv, at.vv);
                return Eigen::Matrix<double, 3, 2>(weight_[row] * stress);
              }),
-    {} };
+    rates(s) };
+}
+
+// In an orthonormal frame t, s of the tangent plane a strain e has (shear/2) [(e_tt − e_ss)² + (2 e_ts)²] +
+// (dilation/2) (e_tt + e_ss)² an area.
+std::vector<EntryVectors> ElasticSheet::rates(const SurfacePoints& surface) const
+{
+  const auto entries = static_cast<Eigen::Index>(table_->node.size());
+  std::vector<EntryVectors> rates(3, EntryVectors(entries, 3));
+  const auto at_row = [&](int row)
+  {
+    const State at = state(surface, row);
+    const double shear = std::sqrt(weight_[row] * at.shear / 2),
+                 dilation = std::sqrt(weight_[row] * at.dilation / 2);
+    const TangentFrame frame(surface, row);
+    for (int k = table_->start[row]; k < table_->start[row + 1]; ++k)
+    {
+      const auto [along, across] = frame.derivatives(table_->du[k], table_->dv[k]);
+      rates[0].row(k) = shear * (along * frame.t - across * frame.s);
+      rates[1].row(k) = shear * (across * frame.t + along * frame.s);
+      rates[2].row(k) = dilation * (along * frame.t + across * frame.s);
+    }
+  };
+  parallel_for(table_->rows(), at_row, 256);
+  return rates;
 }
 
 }

@@ -101,5 +101,33 @@ TEST(ElasticSheet, AffineStretchesHaveTheirEnergy)
   }
 }
 
+// Without stress there is nothing else in it: how the gradient follows a displacement.
+TEST(ElasticSheet, ItsRatesAreTheSecondVariationAtRest)
+{
+  const TriangleMesh mesh = test::mapped(test::smooth_sphere(320),
+    [](const Vector3& d) -> Vector3 {
+      return { 1.4 * d.x(), d.y() + 0.2 * d.z(), 0.8 * d.z() };
+    });
+  const SurfaceSpace space(
+    SurfaceBasis::loop, mesh.triangles, static_cast<int>(mesh.points.rows()));
+  const Points direction = test::mapped(mesh,
+    [](const Vector3& x) -> Vector3 {
+      return { x.y() * x.z(), x.x() - x.z() * x.z(), 0.5 * x.x() * x.y() + x.z() };
+    }).points;
+  const double step = 1e-5;
+  for (const Law& law : laws)
+  {
+    const ElasticSheet sheet(law.moduli, space, mesh.points);
+    const auto gradient = [&](double t)
+    { return sheet.variation(Surface(space, mesh.points + t * direction)).gradient; };
+    const Eigen::VectorXd difference = (gradient(step) - gradient(-step)) / (2 * step);
+    const Surface at_rest(space, mesh.points);
+    const Eigen::VectorXd predicted =
+      gauss_newton_matrix(space.table(), sheet.variation(at_rest).rates) *
+      at_rest.to_control(flat(direction));
+    EXPECT_LT((difference - predicted).norm(), 1e-7 * predicted.norm()) << law.name;
+  }
+}
+
 }
 }
