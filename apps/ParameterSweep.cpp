@@ -212,7 +212,7 @@ void ParameterSweep::write_table() const
   }
   names.push_back("state");
   const Scene scene = read_scene(settings_.scene, settings_.overrides);
-  const auto columns = run_columns(scene.vesicles(), scene.wall.has_value());
+  const auto columns = run_columns(rows_of(scene));
   names.insert(names.end(), columns.begin(), columns.end());
   std::string text = joined(names, ",") + "\n";
   const auto add_row = [&](const GridPoint& point, const RunReport& report, const auto& last)

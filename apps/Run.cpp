@@ -127,8 +127,7 @@ void Run::take_folder()
   }
   checkpoint_ = create_checkpoint();
   folder_.clear_but_checkpoint();
-  table_.emplace(
-    folder_.table(), run_columns(scene_.vesicles(), scene_.wall.has_value()), std::vector<Row>{});
+  table_.emplace(folder_.table(), run_columns(rows_of(scene_)), std::vector<Row>{});
   progress_.emplace(options_.quiet, 0, scene_.time.end);
   progress_->say(to_text(stepper_->GetSimulation()->numbers()));
   if (!stepper_->GetSimulation()->notes().empty())
@@ -205,8 +204,7 @@ bool Run::go_on()
   resumed_ = true;
 
   folder_.sweep();
-  table_.emplace(folder_.table(), run_columns(scene_.vesicles(), scene_.wall.has_value()),
-    checkpoint_->series());
+  table_.emplace(folder_.table(), run_columns(rows_of(scene_)), checkpoint_->series());
   series_.keep(times, stepper_->GetOutput());
   if (schedule.due(state) || stepper_->GetFinished())
   {
@@ -280,7 +278,7 @@ void Run::record()
   const Row row = run_row(stepper_->GetAllDiagnostics());
   try
   {
-    require_finite(state, run_columns(state.vesicles.size(), scene_.wall.has_value()), row);
+    require_finite(state, run_columns(rows_of(scene_)), row);
   }
   catch (const NumericalError& error) // not to be saved as a good state
   {
@@ -344,7 +342,7 @@ RunFile Run::create_checkpoint() const
   header.time_scale = simulation.scales().time();
   header.energy_scale = simulation.scales().energy;
   header.viscosity = simulation.scales().viscosity;
-  header.columns = run_columns(simulation.vesicles(), scene_.wall.has_value());
+  header.columns = run_columns(rows_of(scene_));
   return RunFile::create(folder_.checkpoint(), header);
 }
 
@@ -480,8 +478,7 @@ void Run::draw(const RunTable& table)
 void Run::finish()
 {
   writing_.wait();
-  const RunTable table =
-    run_table(run_columns(scene_.vesicles(), scene_.wall.has_value()), checkpoint_->series());
+  const RunTable table = run_table(run_columns(rows_of(scene_)), checkpoint_->series());
   rows_ = checkpoint_->rows();
   checkpoint_->close();
   table_->close();

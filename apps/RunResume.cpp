@@ -71,8 +71,7 @@ Scene scene_of(const RunFile& run, const std::filesystem::path& file)
 
 void require_same_scene(const Scene& scene, const RunFile& run, const std::filesystem::path& file)
 {
-  if (run.header().columns !=
-    run_columns(run.header().triangles.size(), scene_of(run, file).wall.has_value()))
+  if (run.header().columns != run_columns(rows_of(scene_of(run, file))))
   {
     refuse_version(file, "other columns");
   }

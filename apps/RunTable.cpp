@@ -2,7 +2,6 @@
 
 #include "solver/Errors.h"
 #include "solver/files/FileBytes.h"
-#include "solver/state/RunRows.h"
 #include "solver/state/Table.h"
 
 #include <fmt/format.h>
@@ -52,6 +51,11 @@ std::vector<RunTable> RunTable::by_vesicle() const
   for (auto& [number, table] : of)
     tables.push_back(std::move(table));
   return tables.empty() ? std::vector{ *this } : tables;
+}
+
+RowKind rows_of(const Scene& scene)
+{
+  return { scene.vesicles(), scene.wall.has_value(), scene.splits_power() };
 }
 
 RunTable run_table(std::vector<std::string> columns, const std::vector<Row>& steps)

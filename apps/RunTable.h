@@ -3,6 +3,9 @@
 
 #include "apps/CsvFile.h"
 
+#include "solver/scene/Scene.h"
+#include "solver/state/RunRows.h"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -21,6 +24,8 @@ struct RunTable
   std::vector<RunTable> by_vesicle() const;
 };
 
+/// What a scene's rows have.
+RowKind rows_of(const Scene& scene);
 /// Of the rows of steps (run_row).
 RunTable run_table(std::vector<std::string> columns, const std::vector<Row>& steps);
 

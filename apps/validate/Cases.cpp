@@ -31,9 +31,10 @@ std::string list_of_names()
 std::vector<Case> all_cases()
 {
   std::vector<Case> all;
-  for (const auto& family : { curvature_cases(), segmented_cases(), sphere_cases(), shear_cases(),
-         two_fluid_cases(), several_cases(), wall_cases(), capsule_cases(), equilibrium_cases(),
-         buoyancy_cases(), relaxation_cases(), operator_cases(), mesh_cases() })
+  for (const auto& family :
+    { curvature_cases(), segmented_cases(), sphere_cases(), shear_cases(), two_fluid_cases(),
+      several_cases(), wall_cases(), capsule_cases(), membrane_viscosity_cases(),
+      equilibrium_cases(), buoyancy_cases(), relaxation_cases(), operator_cases(), mesh_cases() })
   {
     all.insert(all.end(), family.begin(), family.end());
   }

@@ -32,6 +32,7 @@ std::vector<Case> two_fluid_cases();
 std::vector<Case> several_cases();
 std::vector<Case> wall_cases();
 std::vector<Case> capsule_cases();
+std::vector<Case> membrane_viscosity_cases();
 std::vector<Case> equilibrium_cases();
 std::vector<Case> buoyancy_cases();
 std::vector<Case> relaxation_cases();

@@ -22,10 +22,10 @@ LoadStage::LoadStage(const SystemShape& shape, LayerMaps layers, double tau,
   {
     const VesicleLoads& own = loads(v);
     const Surface& surface = own.surface();
-    const bool implicit = own.stiff() && tau > 0;
     known_load_.push_back(own.load());
-    reference_load_.push_back(implicit && reference.size() > 0
-        ? Eigen::VectorXd(-stiff_change(v, own.motion().parameters(shape.part(reference, v))))
+    reference_load_.push_back(implicit(v) && reference.size() > 0
+        ? Eigen::VectorXd(
+            -own.stiff_load(tau, own.deformation().parameters(shape.part(reference, v))))
         : Eigen::VectorXd());
     if (reference_load_.back().size() > 0)
       known_load_.back() += reference_load_.back();
@@ -36,7 +36,7 @@ LoadStage::LoadStage(const SystemShape& shape, LayerMaps layers, double tau,
       has_guess ? Eigen::VectorXd(flat(guess.vesicles[v].velocity)) : Eigen::VectorXd());
 
     // Rows as velocities: a residual of 1 is an error of the velocity of about 1.
-    const Eigen::Index parameters = has_parameters(v) ? own.motion().size() : 0,
+    const Eigen::Index parameters = has_parameters(v) ? own.deformation().size() : 0,
                        n = own.has_tension() ? surface.vertices.rows() : 0, extra = 2;
     const Eigen::Index contrast = has_contrast() ? 3 * surface.vertices.rows() : 0;
     Eigen::VectorXd scale = Eigen::VectorXd::Ones(parameters + n + extra + contrast);
@@ -62,7 +62,7 @@ std::vector<LoadUnknowns> LoadStage::split(const Eigen::VectorXd& x) const
     Eigen::Index at = first_[v];
     if (has_parameters(v))
     {
-      part.parameters = x.segment(at, own.motion().size());
+      part.parameters = x.segment(at, own.deformation().size());
       at += part.parameters.size();
     }
     if (own.has_tension())
@@ -101,14 +101,14 @@ LoadUnknowns LoadStage::unknowns_of(std::size_t v, const State& guess) const
   const Eigen::Index n = own.surface().vertices.rows();
   LoadUnknowns x;
   if (has_parameters(v))
-    x.parameters = Eigen::VectorXd::Zero(own.motion().size());
+    x.parameters = Eigen::VectorXd::Zero(own.deformation().size());
   if (own.has_tension())
     x.tension = Eigen::VectorXd::Zero(n);
   if (v >= guess.vesicles.size() || guess.vesicles[v].velocity.rows() != n)
     return x;
   const VesicleState& near = guess.vesicles[v];
   if (has_parameters(v))
-    x.parameters = own.motion().parameters(flat(near.velocity));
+    x.parameters = own.deformation().parameters(flat(near.velocity));
   if (own.has_tension() && near.tension.size() == n)
     x.tension = near.tension;
   x.pressure = near.pressure;
@@ -116,28 +116,29 @@ LoadUnknowns LoadStage::unknowns_of(std::size_t v, const State& guess) const
   return x;
 }
 
-bool LoadStage::has_parameters(std::size_t v) const
+bool LoadStage::implicit(std::size_t v) const
 {
-  return (loads(v).stiff() && tau_ > 0) || loads(v).taut();
+  return loads(v).stiff() && tau_ > 0;
 }
 
-// −τ Qᵀ K Q, of ν.
-Eigen::VectorXd LoadStage::stiff_change(std::size_t v, const Eigen::VectorXd& parameters) const
+bool LoadStage::has_parameters(std::size_t v) const
 {
-  const NodeMotion& motion = loads(v).motion();
-  return -tau_ *
-    motion.parameters_adjoint(
-      motion.velocity_adjoint(loads(v).stiff_force(motion.velocity(parameters))));
+  return implicit(v) || loads(v).taut() || loads(v).viscous();
 }
 
 Eigen::VectorXd LoadStage::load_of(std::size_t v, const LoadUnknowns& x) const
 {
   const VesicleLoads& own = loads(v);
   Eigen::VectorXd load = Eigen::VectorXd::Zero(own.gradient().size());
-  if (x.parameters.size() > 0 && own.stiff() && tau_ > 0)
-    load += stiff_change(v, x.parameters);
-  if (own.taut() && x.parameters.size() > 0)
-    load += own.resisting_load(x.parameters);
+  if (x.parameters.size() > 0)
+  {
+    if (implicit(v))
+      load += own.stiff_load(tau_, x.parameters);
+    if (own.viscous())
+      load += own.viscous_load(x.parameters);
+    if (own.taut())
+      load += own.resisting_load(x.parameters);
+  }
   if (x.tension.size() > 0)
     load -= own.area_rates_adjoint(x.tension);
   if (x.pressure != 0)
@@ -213,7 +214,7 @@ std::vector<LoadUnknowns> LoadStage::rows(const std::vector<Eigen::VectorXd>& lo
       const Eigen::VectorXd& u = control[v];
       if (has_parameters(v))
       {
-        part.parameters = -own.motion().parameters(shape_.part(velocity, v));
+        part.parameters = -own.deformation().parameters(shape_.part(velocity, v));
         if (x[v].parameters.size() > 0)
           part.parameters += x[v].parameters;
       }
@@ -244,7 +245,7 @@ std::vector<LoadUnknowns> LoadStage::precondition(
         w -= (1 - own.viscosity_ratio()) / 2 * rigid[v].nearest(w);
         const Eigen::VectorXd u = own.surface().to_control(w);
         if (has_parameters(v))
-          left.parameters += own.motion().parameters(w);
+          left.parameters += own.deformation().parameters(w);
         if (own.has_tension())
           left.tension -= own.area_rates(u);
         left.pressure -= own.volume_rate().dot(u);
@@ -329,9 +330,9 @@ StageSolution LoadStage::solution_of(const std::vector<LoadUnknowns>& x, int ite
     part.pressure = x[v].pressure;
     part.stiff_force = shape_.vesicles[v].stiff_force;
     Eigen::VectorXd change = reference_load_[v];
-    if (own.stiff() && tau_ > 0)
+    if (implicit(v))
       change = (change.size() > 0 ? change : Eigen::VectorXd::Zero(total[v].size())) +
-        stiff_change(v, x[v].parameters);
+        own.stiff_load(tau_, x[v].parameters);
     if (change.size() > 0)
       part.stiff_force += own.density(change);
   }

@@ -6,13 +6,13 @@
 // clang-format off
 //
 //   u = u∞ + A l + c n̂
-//   l = l₀ − τ Qᵀ K Q (u − reference) − EᵀT E u − B̂ᵀγ − p Qᵀv
+//   l = l₀ − τ Qᵀ K Q (u − reference) − V u − EᵀT E u − B̂ᵀγ − p Qᵀv
 //   B̂ u − F γ = 0,   Qᵀv·u = 0,   n̂·l = 0
 //
 // clang-format on
 
-// so that, for no flow and no tangential motion, dE/dt = g·Qu = −l·A l − γ·Fγ can't be positive.
-// (T only of a taut sphere.)
+// so that, for no flow and no tangential motion, dE/dt = g·Qu = −l·A l − u·V u − γ·Fγ can't be positive.
+// (V only of a viscous membrane, T of a taut sphere.)
 
 // Between fluids of viscosity ratio λ the double layer K joins in (C. Pozrikidis, Boundary Integral and
 // Singularity Methods, 1992, 5.3):
@@ -25,15 +25,13 @@
 
 // with w at the vertices one more unknown. K n ≈ −n/2 makes that nearly singular as λ → 0: there
 // (1 − λ) n̂ (Qᵀv·u)/2A is added, which is zero. Rigid motions, K u = u/2, do so as λ → ∞, which the
-// preconditioner takes care of. Unknowns, of each vesicle: ν = E u (NodeMotion.h), which is all that K feels, the tension γ, the
-// pressure p and c; parts that it doesn't need aren't there.
+// preconditioner takes care of. Unknowns, of each vesicle: ν = E u (VesicleLoads::deformation), which is
+// all that K, V and T feel, the tension γ, the pressure p and c; parts that it doesn't need aren't there.
 
+#include "solver/dynamics/LayerMaps.h"
 #include "solver/dynamics/StageSolution.h"
 #include "solver/dynamics/State.h"
 #include "solver/dynamics/SystemShape.h"
-#include "solver/stokes/PointSum.h"
-
-#include <functional>
 
 namespace vesicle
 {
@@ -47,21 +45,6 @@ struct LoadUnknowns
   Eigen::VectorXd parameters, tension; ///< ν, γ; empty: none
   double pressure = 0, volume_speed = 0;
   Eigen::VectorXd contrast; ///< w; empty: none
-};
-
-/// The velocities at all vertices (3N) that force densities at the nodes of each vesicle make, with at
-/// least that precision.
-using LayerMap = std::function<Eigen::VectorXd(const std::vector<Eigen::VectorXd>&, Precision)>;
-
-/// Σ (1 − λ) K u at all vertices (3N), of each vesicle's velocities at the nodes and of all at the
-/// vertices, with at least that precision.
-using ContrastMap = std::function<Eigen::VectorXd(
-  const std::vector<Eigen::VectorXd>&, const Eigen::VectorXd&, Precision)>;
-
-struct LayerMaps
-{
-  LayerMap single;
-  ContrastMap contrast; ///< empty where all fluids have the same viscosity
 };
 
 class LoadStage
@@ -83,6 +66,7 @@ private:
   Eigen::VectorXd join(const std::vector<LoadUnknowns>& x) const;
   const VesicleLoads& loads(std::size_t vesicle) const { return *shape_.vesicles[vesicle].loads; }
   std::size_t count() const { return shape_.vesicles.size(); }
+  bool implicit(std::size_t vesicle) const;
   bool has_parameters(std::size_t vesicle) const;
   bool has_contrast() const { return layers_.contrast != nullptr; }
   /// 2/(1 + λ).
@@ -95,7 +79,6 @@ private:
   std::vector<LoadUnknowns> precondition(const std::vector<LocalPreconditioner>& preconditioners,
     const std::vector<RigidMotions>& rigid, std::vector<LoadUnknowns> residual) const;
   LoadUnknowns unknowns_of(std::size_t vesicle, const State& guess) const;
-  Eigen::VectorXd stiff_change(std::size_t vesicle, const Eigen::VectorXd& parameters) const;
   Eigen::VectorXd load_of(std::size_t vesicle, const LoadUnknowns& x) const;
   /// Rows of loads and the velocities that they, c and w make, without the flow.
   std::vector<LoadUnknowns> rows(const std::vector<Eigen::VectorXd>& loads,

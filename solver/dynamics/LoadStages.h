@@ -26,10 +26,6 @@ private:
   void build(const SystemShape& shape, const std::vector<Points>& points);
   void build_stiff(const SystemShape& shape, double tau);
   LayerMaps maps_of(const SystemShape& shape) const;
-  LayerMap single_layer(const StokesOperator& layer) const;
-  ContrastMap contrast(const StokesOperator& layer) const;
-  void add_images(const StokesOperator& layer, LayerMaps& maps) const;
-  Precision allowed(Precision precision) const;
 
   const System& system_;
   LayerSettings layer_;

@@ -13,9 +13,6 @@
 namespace vesicle
 {
 
-namespace
-{
-
 SparseMatrix layer_inverse(const VesicleLoads& loads)
 {
   const Surface& surface = loads.surface();
@@ -28,18 +25,10 @@ SparseMatrix layer_inverse(const VesicleLoads& loads)
   return sum;
 }
 
-using Entries = std::vector<Eigen::Triplet<double>>;
-
-// Of scalar ⊗ 1₃.
-Entries three_times(const SparseMatrix& scalar)
+namespace
 {
-  Entries entries;
-  for (int i = 0; i < scalar.rows(); ++i)
-    for (SparseMatrix::InnerIterator it(scalar, i); it; ++it)
-      for (int d = 0; d < 3; ++d)
-        entries.emplace_back(3 * i + d, 3 * static_cast<int>(it.col()) + d, it.value());
-  return entries;
-}
+
+using Entries = std::vector<Eigen::Triplet<double>>;
 
 template<class Matrix>
 Matrix square(Eigen::Index size, const Entries& entries)
@@ -49,10 +38,51 @@ Matrix square(Eigen::Index size, const Entries& entries)
   return matrix;
 }
 
-SymmetricMatrix saddle_matrix(const SparseMatrix& layer_inverse, const ConstraintRows* constraint)
+// scalar ⊗ 1₃.
+SparseMatrix three_times(const SparseMatrix& scalar)
 {
-  const Eigen::Index n = layer_inverse.rows();
-  Entries entries = three_times(layer_inverse);
+  Entries entries;
+  for (int i = 0; i < scalar.rows(); ++i)
+    for (SparseMatrix::InnerIterator it(scalar, i); it; ++it)
+      for (int d = 0; d < 3; ++d)
+        entries.emplace_back(3 * i + d, 3 * static_cast<int>(it.col()) + d, it.value());
+  return square<SparseMatrix>(3 * scalar.rows(), entries);
+}
+
+// For vectors, what is scalar for their components along the nodes' normals: n_i scalar_ij n_jᵀ.
+SparseMatrix along_normals(const SparseMatrix& scalar, const Points& normals)
+{
+  Entries entries;
+  for (int i = 0; i < scalar.rows(); ++i)
+    for (SparseMatrix::InnerIterator it(scalar, i); it; ++it)
+      for (int d = 0; d < 3; ++d)
+        for (int e = 0; e < 3; ++e)
+          entries.emplace_back(3 * i + d, 3 * static_cast<int>(it.col()) + e,
+            it.value() * normals(i, d) * normals(it.col(), e));
+  return square<SparseMatrix>(3 * scalar.rows(), entries);
+}
+
+// A_i ⊗ 1₃ and what else resists the velocities of a viscous membrane.
+SparseMatrix resistance_of(const VesicleLoads& loads, const SparseMatrix& layer_inverse, double tau)
+{
+  const Points& normals = loads.surface().normals;
+  const bool material = loads.motion().kind() == NodeMotionKind::material;
+  SparseMatrix sum = three_times(layer_inverse) + loads.viscosity();
+  if (tau > 0 && loads.stiff())
+    sum +=
+      tau * (material ? loads.stiffness() : along_normals(loads.stiffness_along(normals), normals));
+  if (loads.taut())
+    sum += along_normals(loads.resistance(), normals);
+  return sum;
+}
+
+SymmetricMatrix saddle_matrix(const SparseMatrix& of_velocities, const ConstraintRows* constraint)
+{
+  const Eigen::Index n = of_velocities.rows() / 3;
+  Entries entries;
+  for (int i = 0; i < of_velocities.rows(); ++i)
+    for (SparseMatrix::InnerIterator it(of_velocities, i); it; ++it)
+      entries.emplace_back(i, static_cast<int>(it.col()), it.value());
   if (constraint)
   {
     const int first = static_cast<int>(3 * n);
@@ -80,12 +110,19 @@ void require(bool regular)
 
 void LocalPreconditioner::build(const VesicleLoads& loads)
 {
+  build_saddle(loads, 0);
+}
+
+void LocalPreconditioner::build_saddle(const VesicleLoads& loads, double tau)
+{
   const Surface& surface = loads.surface();
   nodes_ = surface.vertices.rows();
   const SparseMatrix layer_inverse = vesicle::layer_inverse(loads);
   has_tension_ = loads.has_tension();
   taut_ = loads.taut();
-  saddle_.compute(saddle_matrix(layer_inverse, has_tension_ ? &loads.constraint() : nullptr),
+  saddle_.compute(saddle_matrix(loads.viscous() ? resistance_of(loads, layer_inverse, tau)
+                                                : three_times(layer_inverse),
+                    has_tension_ ? &loads.constraint() : nullptr),
     surface.space->plans());
   require(saddle_.regular());
   volume_rate_ = loads.volume_rate();
@@ -103,6 +140,8 @@ void LocalPreconditioner::build(const VesicleLoads& loads)
   for (Eigen::Index k = 0; k < columns_.cols(); ++k)
     border_.col(k) = border_rows(columns_.col(k));
   border_(1, 1) -= pushed;
+  if (loads.viscous())
+    layer_inverse_ = layer_inverse;
 }
 
 Eigen::VectorXd LocalPreconditioner::border_rows(const Eigen::VectorXd& y) const
@@ -117,10 +156,12 @@ Eigen::VectorXd LocalPreconditioner::border_rows(const Eigen::VectorXd& y) const
 
 void LocalPreconditioner::build_stiff(const VesicleLoads& loads, double tau)
 {
+  if (loads.viscous())
+    return build_saddle(loads, tau);
   const bool material = loads.motion().kind() == NodeMotionKind::material;
   layer_inverse_ = layer_inverse(loads);
   if (material)
-    layer_inverse_ = square<SparseMatrix>(3 * layer_inverse_.rows(), three_times(layer_inverse_));
+    layer_inverse_ = three_times(layer_inverse_);
   SparseMatrix sum = layer_inverse_;
   if (tau > 0 && loads.stiff())
     sum += tau * (material ? loads.stiffness() : loads.stiffness_along(loads.surface().normals));
@@ -134,8 +175,11 @@ LoadUnknowns LocalPreconditioner::solve(
   const VesicleLoads& loads, const LoadUnknowns& residual) const
 {
   LoadUnknowns x;
-  run_together(
-    { [&] { x.parameters = parameters(loads, residual); }, [&] { solve_saddle(residual, x); } });
+  if (loads.viscous())
+    solve_saddle(loads, residual, x);
+  else
+    run_together({ [&] { x.parameters = parameters(loads, residual); },
+      [&] { solve_saddle(loads, residual, x); } });
   return x;
 }
 
@@ -151,15 +195,25 @@ Eigen::VectorXd LocalPreconditioner::parameters(
     stiff_.solve(layer_inverse_ * Eigen::VectorXd(collocation.fit(residual.parameters)))));
 }
 
-void LocalPreconditioner::solve_saddle(const LoadUnknowns& residual, LoadUnknowns& x) const
+// The velocities are ν less its residual r: their rows are those of ν and of what r makes.
+void LocalPreconditioner::solve_saddle(
+  const VesicleLoads& loads, const LoadUnknowns& residual, LoadUnknowns& x) const
 {
   Eigen::VectorXd y = Eigen::VectorXd::Zero(columns_.rows()), wanted(columns_.cols());
   wanted.head(2) << residual.pressure, residual.volume_speed;
   if (has_tension_)
-  {
     y.tail(nodes_) = residual.tension;
-    y = Eigen::VectorXd(saddle_.solve(y));
+  if (loads.viscous())
+  {
+    const Eigen::VectorXd& r = residual.parameters;
+    y.head(3 * nodes_) = flat(Points(layer_inverse_ * rows_of_three(r)));
+    if (has_tension_)
+      y.tail(nodes_) += loads.area_rates(r);
+    wanted[0] += volume_rate_.dot(r);
+    wanted[1] += pushed_normal_.dot(r);
   }
+  if (has_tension_ || loads.viscous())
+    y = Eigen::VectorXd(saddle_.solve(y));
   if (taut_)
     wanted[2] = -residual.tension.sum() / VesicleLoads::gauge;
   const Eigen::VectorXd amounts =
@@ -167,6 +221,8 @@ void LocalPreconditioner::solve_saddle(const LoadUnknowns& residual, LoadUnknown
   y += columns_ * amounts;
   x.pressure = amounts[0];
   x.volume_speed = amounts[1];
+  if (loads.viscous())
+    x.parameters = y.head(3 * nodes_);
   if (has_tension_)
     x.tension = y.tail(nodes_);
 }

@@ -1,5 +1,6 @@
 #include "solver/dynamics/StateReport.h"
 
+#include "solver/dynamics/InnerFlow.h"
 #include "solver/dynamics/Observables.h"
 #include "solver/dynamics/WallGap.h"
 #include "solver/mesh/MeshQuality.h"
@@ -42,6 +43,16 @@ NodalForce constraint_force(const VesicleShape& shape, const VesicleState& state
   return { {}, shape.loads->density(load) };
 }
 
+/// Of the membrane's own viscosity; no parts: none.
+NodalForce viscous_force(const VesicleShape& shape, const VesicleState& state)
+{
+  if (!shape.loads || !shape.loads->viscous())
+    return {};
+  return { {},
+    shape.loads->density(
+      shape.loads->viscous_load(shape.surface->to_control(flat(state.velocity)))) };
+}
+
 template<class Selects>
 NodalForce sum_of(const std::vector<NodalForce>& forces, const VesicleShape& shape, Selects selects)
 {
@@ -74,8 +85,8 @@ double power(const VesicleShape& shape, const NodalForce& force, const Eigen::Ve
 
 }
 
-StateReport::StateReport(const System& system, const Scales& scales)
-  : system_(system), scales_(scales)
+StateReport::StateReport(const System& system, const Scales& scales, const LayerSettings& layer)
+  : system_(system), scales_(scales), layer_(layer)
 {
   for (const Vesicle& vesicle : system.vesicles)
     pieces_.emplace_back(*vesicle.space);
@@ -151,6 +162,7 @@ void StateReport::add_power(const VesicleShape& shape, const VesicleState& state
   load += shape.force_from_others;
   NodalForce membrane = sum_of(forces, shape, own);
   membrane += constraint_force(shape, state);
+  membrane += viscous_force(shape, state);
   const auto total = [&](const Eigen::VectorXd& v)
   {
     const double tension =
@@ -167,6 +179,28 @@ void StateReport::add_power(const VesicleShape& shape, const VesicleState& state
     d.dissipation = d.power_in -
       scales_.power() *
         shape.loads->gradient().dot(shape.surface->to_control(flat(state.node_velocity)));
+  if (system_.splits_power())
+    split_power(shape, u, imposed, total(u) - against, d);
+}
+
+// With t(u) the traction inside of a fluid of viscosity 1, f = −[σ]·n gives the outer fluid's traction
+// λ t(u) − f, and that of its flow less the imposed one, a flow on either side, λ t(u) − f − t(u∞).
+void StateReport::split_power(const VesicleShape& shape, const Eigen::VectorXd& velocity,
+  const Eigen::VectorXd& imposed, double on_disturbance, Diagnostics& d) const
+{
+  const Surface& surface = *shape.surface;
+  const VesicleLoads& loads = *shape.loads;
+  const InnerFlow inner(loads, *shape.vesicle->layer, layer_);
+  const Eigen::VectorXd u = surface.to_control(velocity);
+  Eigen::VectorXd traction = loads.viscosity_ratio() * inner.traction(velocity);
+  Diagnostics::PowerSplit& split = d.split.emplace();
+  split.inside = traction.dot(u) * scales_.power();
+  if (system_.flow)
+    traction -= inner.traction(imposed);
+  split.outside =
+    (on_disturbance - traction.dot(surface.to_control(velocity - imposed))) * scales_.power();
+  if (loads.viscous())
+    split.membrane = -loads.viscous_load(u).dot(u) * scales_.power();
 }
 
 void StateReport::add_shape(const VesicleShape& shape, Diagnostics& d) const
@@ -198,6 +232,7 @@ void StateReport::add_flow(const VesicleShape& shape, const VesicleState& state,
   RowVectors force;
   NodalForce membrane = sum_of(forces_used(shape, state), shape, own);
   membrane += constraint_force(shape, state);
+  membrane += viscous_force(shape, state);
   if (!empty(membrane))
     force = interpolate(
       table, rows_of_three(surface.to_control(flat(shape.basis().at_vertices(membrane)))));
@@ -237,6 +272,12 @@ std::map<std::string, Eigen::MatrixXd> StateReport::fields(
     fields[term.name() + "_Force"] = force * scales_.force_density();
     if (!term.external())
       membrane += force;
+  }
+  if (const NodalForce viscous = viscous_force(shape, vesicle); !empty(viscous))
+  {
+    const Points force = shape.basis().at_vertices(viscous);
+    fields["Viscous_Force"] = force * scales_.force_density();
+    membrane += force;
   }
   if (!empty(shape.force_from_others))
     fields["Repulsion_Force"] =

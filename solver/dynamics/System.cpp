@@ -63,6 +63,13 @@ double System::rate() const
   return rate;
 }
 
+bool System::splits_power() const
+{
+  return std::any_of(vesicles.begin(), vesicles.end(),
+    [](const Vesicle& vesicle)
+    { return vesicle.viscosity_ratio != 1 || vesicle.surface_viscosity != 0; });
+}
+
 bool System::only_relaxes() const
 {
   return !flow && !repulsion &&

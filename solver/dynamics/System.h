@@ -24,6 +24,8 @@ struct Vesicle
   MembraneTerms terms;
   double viscosity_ratio =
     1; ///< λ, of the fluid inside to that outside; other than 1 on smooth surfaces only
+  /// η of the membrane, in μ r0; 0: none. Other than 0 on smooth surfaces only.
+  double surface_viscosity = 0;
   std::unique_ptr<const Incompressibility> incompressibility; ///< none: no tension
   /// The energy that is reported where no term has one.
   std::unique_ptr<const MembraneTerm> curvature_energy;
@@ -56,6 +58,8 @@ struct System
   double rate() const;
   /// Nothing but its own membrane moves a vesicle, and the others the fluid: their energy can't rise.
   bool only_relaxes() const;
+  /// Some membrane has a viscosity, or some fluid inside another than that outside.
+  bool splits_power() const;
 };
 
 }

@@ -3,6 +3,7 @@
 #include "solver/ParallelFor.h"
 #include "solver/linear/GroupedRows.h"
 #include "solver/linear/Symmetric.h"
+#include "solver/membrane/SurfaceViscosity.h"
 
 #include <algorithm>
 #include <iterator>
@@ -27,8 +28,15 @@ VesicleLoads::VesicleLoads(const Vesicle& vesicle, const Surface& surface,
     gradient_(Eigen::VectorXd::Zero(3 * surface.vertices.rows())),
     constraint_(std::move(constraint)), normal_(surface.to_control(flat(surface.normals)))
 {
+  if (vesicle.surface_viscosity > 0)
+    deformation_.emplace(surface, NodeMotionKind::material);
   run_together(
-    { [&] { make_mass(); }, [&] { add_terms(vesicle.terms); }, [&] { add_constraints(); } });
+    { [&] { make_mass(); }, [&] { add_terms(vesicle.terms); }, [&] { add_constraints(); },
+      [&]
+      {
+        if (vesicle.surface_viscosity > 0)
+          viscosity_ = viscosity_matrix(surface, vesicle.surface_viscosity);
+      } });
   if (constraint_ && constraint_->gauge_pinned)
     hold_taut(rate);
   if (from_others.size() > 0)
@@ -76,16 +84,36 @@ void VesicleLoads::hold_taut(double rate)
   resistance_ = taut_resistance * stiffness_matrix(surface_->space->table(), surface_->points);
 }
 
-Eigen::VectorXd VesicleLoads::resisting_load(const Eigen::VectorXd& speeds) const
+Eigen::VectorXd VesicleLoads::motion_of(const Eigen::VectorXd& deformation) const
+{
+  if (!deformation_ || motion_.kind() == NodeMotionKind::material)
+    return deformation;
+  return motion_.parameters(surface_->collocation().to_vertices(deformation));
+}
+
+Eigen::VectorXd VesicleLoads::stiff_load(double tau, const Eigen::VectorXd& deformation) const
+{
+  return -tau *
+    motion_.parameters_adjoint(
+      motion_.velocity_adjoint(stiff_force(motion_.velocity(motion_of(deformation)))));
+}
+
+// V feels nothing of the rigid part that a deformation doesn't have.
+Eigen::VectorXd VesicleLoads::viscous_load(const Eigen::VectorXd& deformation) const
+{
+  return -(viscosity_ * deformation);
+}
+
+Eigen::VectorXd VesicleLoads::resisting_load(const Eigen::VectorXd& deformation) const
 {
   const Collocation& collocation = surface_->collocation();
-  return -motion_.parameters_adjoint(
-    collocation.fit_adjoint(resistance_ * Eigen::VectorXd(collocation.fit(speeds))));
+  return -motion_.parameters_adjoint(collocation.fit_adjoint(
+    resistance_ * Eigen::VectorXd(collocation.fit(motion_of(deformation)))));
 }
 
 Eigen::VectorXd VesicleLoads::taut_load(const Eigen::VectorXd& at_vertices) const
 {
-  return taut_load_ + resisting_load(motion_.parameters(at_vertices));
+  return taut_load_ + resisting_load(deformation().parameters(at_vertices));
 }
 
 Eigen::VectorXd VesicleLoads::stiff_force(const Eigen::VectorXd& displacement) const

@@ -52,6 +52,18 @@ public:
   bool stiff() const { return stiffness_.rows() > 0; }
   /// K times a displacement of the control points.
   Eigen::VectorXd stiff_force(const Eigen::VectorXd& displacement) const;
+  /// −τ Qᵀ K Q of velocities with that deformation().
+  Eigen::VectorXd stiff_load(double tau, const Eigen::VectorXd& deformation) const;
+
+  /// V of the membrane's own viscosity (SurfaceViscosity.h); empty: it has none.
+  const SparseMatrix& viscosity() const { return viscosity_; }
+  bool viscous() const { return viscosity_.rows() > 0; }
+  /// −V u of velocities with that deformation().
+  Eigen::VectorXd viscous_load(const Eigen::VectorXd& deformation) const;
+
+  /// Whose parameters ν are all that loads feel of the velocities that they make: the nodes' motion, but
+  /// where the membrane is viscous all that isn't rigid, material motion.
+  const NodeMotion& deformation() const { return deformation_ ? *deformation_ : motion_; }
   /// K for motions of the nodes along m directions each, which their rows hold: m N by m N.
   using DirectionRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   SparseMatrix stiffness_along(const Eigen::Ref<const DirectionRows>& directions) const;
@@ -68,10 +80,10 @@ public:
   /// Close to a sphere, where a uniform tension is a pressure: there B̂ leaves the total area out, a
   /// row of −gauge (m·γ) m/Σm gives the tension a mean of 0, and the membrane is pulled taut.
   bool taut() const { return taut_load_.size() > 0; }
-  /// The load of the resistance to the normal speeds ν, and its matrix as if ν were the control
-  /// points': the resistance times ∮ ∇N_j·∇N_k dS, the part of the second variation of the area that
+  /// The load of the resistance to the normal speeds of velocities with that deformation(), and its
+  /// matrix as if those were the control points': the resistance times ∮ ∇N_j·∇N_k dS, the part of the second variation of the area that
   /// makes it grow.
-  Eigen::VectorXd resisting_load(const Eigen::VectorXd& speeds) const;
+  Eigen::VectorXd resisting_load(const Eigen::VectorXd& deformation) const;
   const SparseMatrix& resistance() const { return resistance_; }
   /// The load that holds the membrane taut where the vertices have these velocities.
   Eigen::VectorXd taut_load(const Eigen::VectorXd& at_vertices) const;
@@ -98,15 +110,18 @@ private:
   void add_terms(const MembraneTerms& terms);
   void add_constraints();
   void hold_taut(double rate);
+  /// The motion's parameters of velocities with that deformation.
+  Eigen::VectorXd motion_of(const Eigen::VectorXd& deformation) const;
 
   const Surface* surface_;
   double viscosity_ratio_;
   NodeMotion motion_;
+  std::optional<NodeMotion> deformation_; ///< none: motion_
   std::vector<Eigen::VectorXd> loads_;
   Eigen::VectorXd load_from_others_; ///< or empty
   Eigen::VectorXd taut_load_;        ///< or empty
   Eigen::VectorXd gradient_;
-  SparseMatrix stiffness_, resistance_;
+  SparseMatrix stiffness_, viscosity_, resistance_;
   std::shared_ptr<const ConstraintRows> constraint_; ///< none: no tension
   Eigen::VectorXd area_gradient_, area_share_, volume_gradient_, volume_rate_, normal_;
   SparseMatrix mass_;

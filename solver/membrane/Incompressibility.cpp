@@ -17,6 +17,14 @@ namespace
 // the tension from [3.3, 6.9] to [4.0, 6.6]; a hundred times more changes the inclination by 0.06°.
 constexpr double tension_filter = 1e-3;
 
+// A membrane of viscosity η moves less at that scale: a tension that is a wave along it makes the
+// velocity 1/(4k + η k²) instead of 1/4k.
+double filter_strength(double h, double viscosity)
+{
+  const double strength = tension_filter * h * h * h;
+  return viscosity > 0 ? strength / (1 + viscosity / h) : strength;
+}
+
 // Nodal forces to force density by the lumped mass, the nodes' areas.
 SparseMatrix density_of(SparseMatrix nodal, const Eigen::VectorXd& vertex_area)
 {
@@ -31,7 +39,7 @@ ConstraintRows SmoothIncompressibility::rows(const Surface& surface) const
 {
   const double h = std::sqrt(surface.area / static_cast<double>(surface.space->triangles().rows()));
   return { surface.area_rate,
-    -tension_filter * h * h * h *
+    -filter_strength(h, viscosity_) *
       bilaplacian(surface.space->table(), surface.points, *surface.curvature),
     nearly_sphere(surface) };
 }
@@ -46,10 +54,11 @@ SparseMatrix AdjointIncompressibility::force(const Surface& surface) const
   return density_of(SparseMatrix(-surface.area_rate.transpose()), surface.vertex_area);
 }
 
-std::unique_ptr<const Incompressibility> make_incompressibility(const SurfaceSpace& space)
+std::unique_ptr<const Incompressibility> make_incompressibility(
+  const SurfaceSpace& space, double surface_viscosity)
 {
   if (space.smooth())
-    return std::make_unique<SmoothIncompressibility>();
+    return std::make_unique<SmoothIncompressibility>(surface_viscosity);
   if (space.curvature() == VertexCurvature::paper)
     return std::make_unique<PaperIncompressibility>();
   return std::make_unique<AdjointIncompressibility>();

@@ -34,8 +34,13 @@ public:
 class SmoothIncompressibility final : public Incompressibility
 {
 public:
+  /// `surface_viscosity`: the membrane's, in μ r0.
+  explicit SmoothIncompressibility(double surface_viscosity) : viscosity_(surface_viscosity) {}
   ConstraintRows rows(const Surface& surface) const override;
   SparseMatrix force(const Surface&) const override { return {}; }
+
+private:
+  double viscosity_;
 };
 
 /// On flat triangles: rows B, the rates of the vertices' areas, and their adjoint −Bᵀγ as nodal
@@ -48,6 +53,8 @@ public:
 };
 
 /// The one that goes with the space's curvature: smooth, adjoint, or the paper's.
-std::unique_ptr<const Incompressibility> make_incompressibility(const SurfaceSpace& space);
+/// `surface_viscosity`: the membrane's, in μ r0; of smooth surfaces.
+std::unique_ptr<const Incompressibility> make_incompressibility(
+  const SurfaceSpace& space, double surface_viscosity = 0);
 
 }

@@ -2,8 +2,18 @@
 
 #include "solver/flow/VaryingFlow.h"
 
+#include <algorithm>
+
 namespace vesicle
 {
+
+bool Scene::splits_power() const
+{
+  return fluid.viscosity_ratio != 1 || membrane.surface_viscosity != 0 ||
+    std::any_of(companions.begin(), companions.end(),
+      [](const Companion& other)
+      { return other.viscosity_ratio != 1 || other.membrane.surface_viscosity != 0; });
+}
 
 Scene::Companion Scene::companion() const
 {

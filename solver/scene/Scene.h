@@ -60,7 +60,17 @@ struct Scene
     std::optional<double> shear_modulus;             ///< G; empty: a fluid
     ElasticLaw elasticity = ElasticLaw::neo_hookean; ///< of G
     double dilation_modulus = 1;                     ///< C of Skalak's law, over G
-    double prestretch = 1; ///< lengths of the start over those without stress
+    /// The shape without stress of an elastic sheet, before its lengths are divided by `prestretch`.
+    enum class Reference
+    {
+      start,  ///< the start's own
+      sphere, ///< a sphere on which each patch of the start has its area
+      file
+    };
+    Reference reference = Reference::start;
+    std::optional<std::filesystem::path> reference_file; ///< absolute; with Reference::file
+    double prestretch = 1;        ///< lengths of the start over those without stress
+    double surface_viscosity = 0; ///< η of a fluid membrane, a viscosity times a length; 0: none
   } membrane;
 
   struct Fluid
@@ -103,6 +113,9 @@ struct Scene
   std::vector<Companion> companions;
 
   std::size_t vesicles() const { return 1 + companions.size(); }
+  /// Some membrane has a viscosity, or some fluid inside another than that outside: where the power goes
+  /// is told of each.
+  bool splits_power() const;
   /// The first one as one beside others. A load of nothing is none there.
   Companion companion() const;
   /// The same scene with one of its vesicles, by its number from 0, and no other.

@@ -91,8 +91,8 @@ inline const std::vector<std::string> chart_names{ "none", "energy", "inclinatio
 /// vesicles.
 inline const std::vector<std::string> field_names{ "Mean_Curvature", "Gauss_Curvature",
   "Laplacian_Mean_Curvature", "Normals", "Bending_Force", "Area_Difference_Force", "Elastic_Force",
-  "Tension", "Tension_Force", "Membrane_Force", "Gravity_Force", "Velocity", "Surface_Divergence",
-  "Repulsion_Force", "Vesicle_Id" };
+  "Viscous_Force", "Tension", "Tension_Force", "Membrane_Force", "Gravity_Force", "Velocity",
+  "Surface_Divergence", "Repulsion_Force", "Vesicle_Id" };
 
 template<class Choices, class Choice>
 std::string name_of(const Choices& choices, Choice choice)

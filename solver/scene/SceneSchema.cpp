@@ -133,6 +133,33 @@ SceneTable top_table()
   return table;
 }
 
+/// A word, or the path of a mesh.
+struct ReferenceShape
+{
+  using Reference = Scene::Membrane::Reference;
+  static constexpr const char *start = "start", *sphere = "sphere";
+
+  void read(const TableReader& table, const std::string& key, Scene::Membrane& target) const
+  {
+    std::string text;
+    table.read(key, text);
+    target.reference_file.reset();
+    target.reference = text == start ? Reference::start
+      : text == sphere               ? Reference::sphere
+                                     : Reference::file;
+    if (target.reference == Reference::file)
+      rules::Path{ "\"start\", \"sphere\" or the path of a mesh" }.read(
+        table, key, target.reference_file);
+  }
+  std::string write(const Scene::Membrane& membrane) const
+  {
+    if (membrane.reference == Reference::file)
+      return rules::Path{ "" }.write(membrane.reference_file);
+    return to_toml(std::string(membrane.reference == Reference::sphere ? sphere : start));
+  }
+  std::string allowed() const { return "\"start\", \"sphere\" or the path of a mesh"; }
+};
+
 bool is_elastic(const Scene& scene)
 {
   return scene.membrane.shear_modulus.has_value();
@@ -165,9 +192,7 @@ SceneTable membrane_table()
     key("incompressible", at(&Scene::membrane, &Membrane::incompressible), rules::Flag{}, "",
       "a tension keeps the area of every patch; false: no tension"),
     key("shear_modulus", at(&Scene::membrane, &Membrane::shear_modulus), rules::Number{ positive },
-      "energy/area",
-      "G of an elastic sheet, whose shape without stress is the start's; needs mesh_motion = "
-      "\"material\"")
+      "energy/area", "G of an elastic sheet; needs mesh_motion = \"material\"")
       .otherwise("a fluid"),
     key("elasticity", at(&Scene::membrane, &Membrane::elasticity),
       rules::Choice{ elasticity_names }, "",
@@ -177,9 +202,20 @@ SceneTable membrane_table()
     key("dilation_modulus", at(&Scene::membrane, &Membrane::dilation_modulus),
       rules::Number{ positive }, "shear_modulus", "C of Skalak's law; needs shear_modulus")
       .written_if(is_elastic),
-    key("prestretch", at(&Scene::membrane, &Membrane::prestretch), rules::Number{ positive }, "",
-      "lengths of the start over those without stress; needs shear_modulus")
+    key("reference", at(&Scene::membrane), ReferenceShape{}, "",
+      "the shape without stress: \"start\", the start's; \"sphere\", a sphere on which every patch "
+      "of "
+      "the start has its area; or a mesh with the start's points and triangles in their order; "
+      "needs "
+      "shear_modulus")
       .written_if(is_elastic),
+    key("prestretch", at(&Scene::membrane, &Membrane::prestretch), rules::Number{ positive }, "",
+      "lengths of the start over those without stress, beside what the reference differs by; needs "
+      "shear_modulus")
+      .written_if(is_elastic),
+    key("surface_viscosity", at(&Scene::membrane, &Membrane::surface_viscosity),
+      rules::Number{ not_negative }, "pressure × time × length",
+      "η of the membrane's resistance to shear within itself; other than 0 on Loop's surface only"),
   };
   table.check = [](const TableReader& reader, const Scene& scene)
   {
@@ -193,7 +229,7 @@ SceneTable membrane_table()
     if (!scene.membrane.area_difference_stiffness && reader.has("area_difference"))
       reader.fail("area_difference", "does nothing without area_difference_stiffness",
         "a number, beside area_difference_stiffness");
-    for (const char* key : { "elasticity", "dilation_modulus", "prestretch" })
+    for (const char* key : { "elasticity", "dilation_modulus", "reference", "prestretch" })
       if (!scene.membrane.shear_modulus && reader.has(key))
         reader.fail(key, "does nothing without shear_modulus", "it beside shear_modulus");
   };
@@ -399,6 +435,10 @@ void check_accuracy(const TableReader& table, const Scene& scene)
   if (scene.wall && accuracy.basis != Scene::Basis::loop)
     table.fail(table.has("basis") ? "basis" : "preset",
       "knows no walls, and the scene has a [wall]",
+      "\"balanced\" or \"accurate\", or basis = \"loop\"");
+  if (scene.membrane.surface_viscosity != 0 && accuracy.basis != Scene::Basis::loop)
+    table.fail(table.has("basis") ? "basis" : "preset",
+      "has no viscosity of the membrane, and membrane.surface_viscosity isn't 0",
       "\"balanced\" or \"accurate\", or basis = \"loop\"");
   if (is_elastic(scene) &&
     (accuracy.basis != Scene::Basis::loop || accuracy.mesh_motion != Scene::MeshMotion::material))

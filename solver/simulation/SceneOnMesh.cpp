@@ -17,7 +17,8 @@ SceneOnMesh::SceneOnMesh(const Scene& scene, const Scales& scales, std::vector<V
   : meshes_(std::move(meshes)), bends_(scene.membrane.bending_rigidity.has_value()),
     evolution_(system_of(scene, scales, meshes_), stepper_settings_of(scene), schedule_of(scene),
       scales.time(), fixed_step(scene, scales)),
-    report_(evolution_.system(), scales), resolutions_(meshes_.size())
+    report_(evolution_.system(), scales, stepper_settings_of(scene).layer),
+    resolutions_(meshes_.size())
 {
 }
 

@@ -125,7 +125,8 @@ struct Simulation::Impl
   Scene scene;
   std::vector<std::string> prepared;      ///< what was changed in each start mesh
   std::vector<TriangleMesh> start_meshes; ///< in the scene's units
-  TriangleMesh start_mesh;                ///< all of them
+  std::vector<Points> references; ///< vertices of those that were read; other's without rows
+  TriangleMesh start_mesh;        ///< all of them
   Scales scales;
   OutputSchedule schedule;
   std::optional<MeshAdaptation> adaptation;
@@ -136,8 +137,8 @@ struct Simulation::Impl
 
   Impl(const Scene& s, const std::vector<StartMesh>& start)
     : scene(s), prepared(start.size()), start_meshes(taken(s, start)),
-      start_mesh(joined(start_meshes)), scales(scales_of(s, start_meshes[0])),
-      schedule(schedule_of(s)), on_mesh(on(start_meshes)),
+      references(references_of(s, start)), start_mesh(joined(start_meshes)),
+      scales(scales_of(s, start_meshes[0])), schedule(schedule_of(s)), on_mesh(on(start_meshes)),
       numbers(dimensionless_numbers(s, scales, on_mesh->evolution().system()))
   {
     if (s.accuracy.mesh_motion == Scene::MeshMotion::adaptive)
@@ -172,14 +173,45 @@ struct Simulation::Impl
     return meshes;
   }
 
+  /// With the points and triangles of the start, in their order.
+  std::vector<Points> references_of(const Scene& s, const std::vector<StartMesh>& start) const
+  {
+    std::vector<Points> references(start.size());
+    for (std::size_t v = 0; v < start.size(); ++v)
+    {
+      const Scene::Membrane membrane = s.alone(v).membrane;
+      if (membrane.reference != Scene::Membrane::Reference::file)
+        continue;
+      const std::string name = membrane.reference_file->string();
+      if (!start[v].reference)
+        throw InputError(name +
+          ": the mesh that membrane.reference names wasn't handed on with the "
+          "start mesh");
+      TriangleMesh mesh = *start[v].reference;
+      prepare_for_dynamics(mesh, name);
+      if (mesh.points.rows() != start_meshes[v].points.rows() ||
+        !same_triangles(mesh.triangles, start_meshes[v].triangles))
+        throw InputError(fmt::format("{}: membrane.reference takes a mesh with the start's points "
+                                     "and triangles in their order, "
+                                     "{} and {}; it has {} and {}{}",
+          name, start_meshes[v].points.rows(), start_meshes[v].triangles.rows(), mesh.points.rows(),
+          mesh.triangles.rows(),
+          mesh.triangles.rows() == start_meshes[v].triangles.rows() ? ", but others" : ""));
+      references[v] = std::move(mesh.points);
+    }
+    return references;
+  }
+
+  Points scaled_reference(std::size_t v) const { return references[v] / scales.length; }
+
   /// Elastic membranes keep the start's shape in mind, whatever they are.
   std::unique_ptr<SceneOnMesh> on(const std::vector<TriangleMesh>& meshes) const
   {
     const std::vector<Points> start = start_points();
     std::vector<VesicleMesh> vesicles;
     for (std::size_t v = 0; v < meshes.size(); ++v)
-      vesicles.push_back(
-        { meshes[v].triangles, static_cast<int>(meshes[v].points.rows()), start[v] });
+      vesicles.push_back({ meshes[v].triangles, static_cast<int>(meshes[v].points.rows()), start[v],
+        scaled_reference(v) });
     return std::make_unique<SceneOnMesh>(scene, scales, std::move(vesicles));
   }
   Evolution& start_evolution()
@@ -272,7 +304,7 @@ struct Simulation::Impl
     const std::vector<Points> start = start_points();
     for (std::size_t v = 0; v < vesicles(); ++v)
       meshes.push_back({ state.vesicles[v].triangles,
-        static_cast<int>(state.vesicles[v].points.rows()), start[v] });
+        static_cast<int>(state.vesicles[v].points.rows()), start[v], scaled_reference(v) });
     SceneOnMesh mesh(other, scales, std::move(meshes));
     return mesh.evolution().instant(points_of(state));
   }

@@ -3,6 +3,7 @@
 
 #include "solver/scene/Scene.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,6 +16,8 @@ struct StartMesh
 {
   TriangleMesh mesh;
   std::string notes;
+  /// Of an elastic sheet whose shape without stress is a file's: that mesh.
+  std::optional<TriangleMesh> reference = {};
 };
 
 /// How a scene's vesicle is turned: the shape's own z axis to its axis, or by its rotation.

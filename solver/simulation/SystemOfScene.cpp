@@ -1,6 +1,7 @@
 #include "solver/simulation/SystemOfScene.h"
 
 #include "solver/ParallelFor.h"
+#include "solver/adaptation/EqualAreaSphere.h"
 #include "solver/membrane/AreaDifference.h"
 #include "solver/membrane/Buoyancy.h"
 #include "solver/membrane/ElasticSheet.h"
@@ -82,6 +83,17 @@ static Vesicle bare_vesicle(const Scene& scene, const VesicleMesh& mesh)
     accuracy.quadrature);
 }
 
+/// Vertices of a sheet's shape without stress.
+static Points reference_of(
+  const Scene::Membrane& membrane, const SurfaceSpace& space, const VesicleMesh& mesh)
+{
+  using Reference = Scene::Membrane::Reference;
+  if (membrane.reference == Reference::sphere)
+    return equal_area_sphere(Surface(space, mesh.start)) / membrane.prestretch;
+  return (membrane.reference == Reference::file ? mesh.reference : mesh.start) /
+    membrane.prestretch;
+}
+
 static void add_physics(
   Vesicle& vesicle, const Scene& scene, const Scales& scales, const VesicleMesh& mesh)
 {
@@ -93,9 +105,10 @@ static void add_physics(
   vesicle.terms = membrane_terms(scene, *vesicle.space, scales);
   if (scene.membrane.shear_modulus)
     vesicle.terms.push_back(std::make_unique<ElasticSheet>(elastic_moduli(scene.membrane, scales),
-      *vesicle.space, mesh.start / scene.membrane.prestretch));
+      *vesicle.space, reference_of(scene.membrane, *vesicle.space, mesh)));
+  vesicle.surface_viscosity = scene.membrane.surface_viscosity / (scales.viscosity * scales.length);
   if (scene.membrane.incompressible)
-    vesicle.incompressibility = make_incompressibility(*vesicle.space);
+    vesicle.incompressibility = make_incompressibility(*vesicle.space, vesicle.surface_viscosity);
   if (scene.gravity)
     if (const double bond = bond_number(*scene.gravity, scales); bond != 0)
       vesicle.terms.push_back(make_buoyancy(*vesicle.space, bond));

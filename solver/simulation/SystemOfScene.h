@@ -24,8 +24,9 @@ struct VesicleMesh
 {
   Triangles triangles;
   int nodes; ///< vertices
-  /// The start shape's vertices, in units of r0; for elastic membranes.
-  Points start = {};
+  /// The vertices, in units of r0, of the start shape and of a reference that was read from a file; for
+  /// elastic membranes.
+  Points start = {}, reference = {};
 };
 
 /// The scene's vesicles, each on its mesh, and the flow, dimensionless.

@@ -5,16 +5,25 @@
 namespace vesicle
 {
 
-std::vector<std::string> run_columns(std::size_t vesicles, bool wall)
+RowKind row_kind(const std::vector<Diagnostics>& vesicles)
+{
+  return { vesicles.size(), vesicles.front().wall_gap.has_value(),
+    vesicles.front().split.has_value() };
+}
+
+std::vector<std::string> run_columns(const RowKind& kind)
 {
   std::vector<std::string> columns;
-  if (vesicles > 1)
+  if (kind.vesicles > 1)
     columns.emplace_back("vesicle");
   columns.insert(columns.end(), Diagnostics::names().begin(), Diagnostics::names().end());
-  if (vesicles > 1)
+  if (kind.vesicles > 1)
     columns.emplace_back("gap");
-  if (wall)
+  if (kind.wall)
     columns.insert(columns.end(), { "wall_gap", "lift_speed" });
+  if (kind.splits_power)
+    columns.insert(
+      columns.end(), { "dissipation_outside", "dissipation_inside", "dissipation_membrane" });
   return columns;
 }
 
@@ -31,6 +40,8 @@ std::vector<std::optional<double>> run_row(const std::vector<Diagnostics>& vesic
       row.push_back(vesicles[v].gap);
     if (vesicles[v].wall_gap)
       row.insert(row.end(), { vesicles[v].wall_gap, vesicles[v].lift_speed });
+    if (const auto& split = vesicles[v].split)
+      row.insert(row.end(), { split->outside, split->inside, split->membrane });
   }
   return row;
 }

@@ -136,6 +136,7 @@ TEST_F(ParaViewProperties, HaveTheRangesOfTheirKeys)
 {
   const std::map<std::string, const SceneKey*> keys{ { "BendingRigidity",
                                                        &scene_key("membrane", "bending_rigidity") },
+    { "SurfaceViscosity", &scene_key("membrane", "surface_viscosity") },
     { "Viscosity", &scene_key("fluid", "viscosity") },
     { "ViscosityRatio", &scene_key("fluid", "viscosity_ratio") },
     { "FlowRate", &scene_key("flow", "rate") }, { "FlowRadius", &scene_key("flow", "radius") },

@@ -10,10 +10,20 @@
 namespace vesicle
 {
 
+std::optional<TriangleMesh> reference_mesh_of(const Scene& scene)
+{
+  if (scene.membrane.reference != Scene::Membrane::Reference::file)
+  {
+    return std::nullopt;
+  }
+  return to_mesh(read_mesh(*scene.membrane.reference_file));
+}
+
 static StartMesh start_mesh_of(const Scene& scene, StartShapes& shapes)
 {
   const auto& wanted = scene.vesicle;
   StartMesh start;
+  start.reference = reference_mesh_of(scene);
   if (!wanted.mesh_file)
   {
     start.mesh = make_start_mesh(scene, shapes);

@@ -17,5 +17,7 @@ namespace vesicle
 VESICLEFILTERS_EXPORT std::vector<StartMesh> start_meshes_of(const Scene& scene);
 /// Of the first vesicle.
 VESICLEFILTERS_EXPORT TriangleMesh start_mesh_of(const Scene& scene, std::string& notes);
+/// The mesh that membrane.reference of the first vesicle names, where it names one. Throws InputError, IoError.
+VESICLEFILTERS_EXPORT std::optional<TriangleMesh> reference_mesh_of(const Scene& scene);
 
 }

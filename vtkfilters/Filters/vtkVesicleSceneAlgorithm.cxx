@@ -40,6 +40,8 @@ Scene vtkVesicleSceneAlgorithm::MakeScene()
     vesicle::scene_key("fluid", "viscosity").allows(this->Viscosity), "Viscosity must be above 0");
   require(vesicle::scene_key("fluid", "viscosity_ratio").allows(this->ViscosityRatio),
     "ViscosityRatio must be 0 or more");
+  require(vesicle::scene_key("membrane", "surface_viscosity").allows(this->SurfaceViscosity),
+    "SurfaceViscosity must be 0 or more");
   require(
     this->FlowKind != Poiseuille || vesicle::scene_key("flow", "radius").allows(this->FlowRadius),
     "FlowRadius must be above 0");
@@ -71,6 +73,9 @@ Scene vtkVesicleSceneAlgorithm::MakeScene()
     require(scene.wall->normal.norm() > 0, "WallNormal must not be 0");
     scene.wall->normal.normalize();
   }
+  scene.membrane.surface_viscosity = this->SurfaceViscosity;
+  require(this->SurfaceViscosity == 0 || scene.accuracy.basis == Scene::Basis::loop,
+    "a SurfaceViscosity above 0 takes the preset balanced or accurate");
   scene.flow = this->MakeFlow();
   if (this->BondNumber != 0)
   {
@@ -110,6 +115,7 @@ void vtkVesicleSceneAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AreaDifferenceStiffness: " << this->AreaDifferenceStiffness << '\n';
   os << indent << "AreaDifference: " << this->AreaDifference << '\n';
   os << indent << "Incompressible: " << (this->Incompressible ? "on" : "off") << '\n';
+  os << indent << "SurfaceViscosity: " << this->SurfaceViscosity << '\n';
   os << indent << "Viscosity: " << this->Viscosity << '\n';
   os << indent << "ViscosityRatio: " << this->ViscosityRatio << '\n';
   os << indent << "Wall: " << (this->Wall ? "on" : "off") << '\n';

@@ -98,6 +98,15 @@ public:
 
   ///@{
   /**
+   * η of the membrane's resistance to shear within itself, a viscosity times a length, 0 or more; above 0
+   * with the presets balanced and accurate only. Default: 0.
+   */
+  vtkSetMacro(SurfaceViscosity, double);
+  vtkGetMacro(SurfaceViscosity, double);
+  ///@}
+
+  ///@{
+  /**
    * μ of the fluid outside, a pressure times a time, above 0. Default: 1.
    */
   vtkSetMacro(Viscosity, double);
@@ -257,6 +266,7 @@ protected:
   double AreaDifferenceStiffness = 0;
   double AreaDifference = 1;
   bool Incompressible = true;
+  double SurfaceViscosity = 0;
   double Viscosity = 1;
   double ViscosityRatio = 1;
   bool Wall = false;

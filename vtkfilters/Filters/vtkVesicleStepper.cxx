@@ -120,8 +120,7 @@ bool lies_in_order(vtkPolyData* surface)
 vtkSmartPointer<vtkTable> table_of(const std::vector<Diagnostics>& vesicles)
 {
   auto table = vtkSmartPointer<vtkTable>::New();
-  const auto names =
-    vesicle::run_columns(vesicles.size(), !vesicles.empty() && vesicles.front().wall_gap);
+  const auto names = vesicle::run_columns(vesicle::row_kind(vesicles));
   const auto row = vesicle::run_row(vesicles);
   for (std::size_t i = 0; i < names.size(); ++i)
   {
@@ -188,7 +187,7 @@ struct vtkVesicleStepper::Internals
     }
     if (this->CurrentScene.vesicles() == 1)
     {
-      return { { vesicle::to_mesh(start), {} } };
+      return { { vesicle::to_mesh(start), {}, vesicle::reference_mesh_of(this->CurrentScene) } };
     }
     if (!lies_in_order(start))
     {
@@ -196,7 +195,12 @@ struct vtkVesicleStepper::Internals
         "the points of the start shape's vesicles must lie one vesicle after "
         "the other, as frames of a run and vtkAppendPolyData have them");
     }
-    return parts_of(start);
+    std::vector<vesicle::StartMesh> parts = parts_of(start);
+    for (std::size_t v = 0; v < parts.size() && v < this->CurrentScene.vesicles(); ++v)
+    {
+      parts[v].reference = vesicle::reference_mesh_of(this->CurrentScene.alone(v));
+    }
+    return parts;
   }
 
   void StartAnew(vtkPolyData* start, int cache_size)

@@ -203,6 +203,19 @@ const std::vector<Case> cases{
   { "area_difference_alone", with_sphere("[membrane]\narea_difference = 1"),
     { "s.toml:4: key 'membrane.area_difference': does nothing without area_difference_stiffness; "
       "allowed: a number, beside area_difference_stiffness" } },
+  { "reference_of_a_fluid", with_sphere("[membrane]\nreference = \"sphere\""),
+    { "s.toml:4: key 'membrane.reference': does nothing without shear_modulus; allowed: it beside "
+      "shear_modulus" } },
+  { "reference_empty", with_sphere("[membrane]\nshear_modulus = 1\nreference = \"\""),
+    { "s.toml:5: key 'membrane.reference': can't be empty; allowed: \"start\", \"sphere\" or the "
+      "path of a mesh" } },
+  { "surface_viscosity_negative", with_sphere("[membrane]\nsurface_viscosity = -1"),
+    { "s.toml:4: key 'membrane.surface_viscosity': can't be -1; allowed: a number >= 0" } },
+  { "surface_viscosity_of_flat_triangles",
+    with_sphere("[membrane]\nsurface_viscosity = 1\n[accuracy]\npreset = \"fast\""),
+    { "s.toml:6: key 'accuracy.preset': has no viscosity of the membrane, and "
+      "membrane.surface_viscosity isn't 0; allowed: \"balanced\" or \"accurate\", or basis = "
+      "\"loop\"" } },
   { "incompressible_number", with_sphere("[membrane]\nincompressible = 1"),
     { "s.toml:4: key 'membrane.incompressible': must be true or false, is the integer 1; allowed: "
       "true, "

@@ -52,7 +52,15 @@ void expect_same(const Scene& a, const Scene& b)
   EXPECT_EQ(a.membrane.area_difference_stiffness, b.membrane.area_difference_stiffness);
   EXPECT_EQ(a.membrane.area_difference, b.membrane.area_difference);
   EXPECT_EQ(a.membrane.incompressible, b.membrane.incompressible);
+  EXPECT_EQ(a.membrane.shear_modulus, b.membrane.shear_modulus);
+  EXPECT_EQ(a.membrane.elasticity, b.membrane.elasticity);
+  EXPECT_EQ(a.membrane.dilation_modulus, b.membrane.dilation_modulus);
+  EXPECT_EQ(a.membrane.reference, b.membrane.reference);
+  EXPECT_EQ(a.membrane.reference_file, b.membrane.reference_file);
+  EXPECT_EQ(a.membrane.prestretch, b.membrane.prestretch);
+  EXPECT_EQ(a.membrane.surface_viscosity, b.membrane.surface_viscosity);
   EXPECT_EQ(a.fluid.viscosity, b.fluid.viscosity);
+  EXPECT_EQ(a.fluid.viscosity_ratio, b.fluid.viscosity_ratio);
 
   ASSERT_EQ(a.flow != nullptr, b.flow != nullptr);
   if (a.flow)
@@ -190,6 +198,26 @@ TEST(SceneRoundTrip, ControlLettersInStrings)
 {
   const Scene scene = parsed("[vesicle]\nfile = \"a\\tb\\u007F\\nc\"");
   expect_same(scene, written_and_read(scene));
+}
+
+TEST(SceneRoundTrip, EveryReferenceShape)
+{
+  using Reference = Scene::Membrane::Reference;
+  const auto membrane_of = [](const std::string& reference)
+  {
+    const Scene scene = parsed("[vesicle]\nshape = \"discocyte\"\n[membrane]\nshear_modulus = 2\n"
+                               "elasticity = \"skalak\"\nsurface_viscosity = 3\n" +
+      reference + "\n[accuracy]\nmesh_motion = \"material\"");
+    expect_same(scene, written_and_read(scene));
+    EXPECT_EQ(scene.membrane.surface_viscosity, 3);
+    return scene.membrane;
+  };
+  EXPECT_EQ(membrane_of("").reference, Reference::start);
+  EXPECT_EQ(membrane_of("reference = \"start\"").reference, Reference::start);
+  EXPECT_EQ(membrane_of("reference = \"sphere\"").reference, Reference::sphere);
+  const Scene::Membrane from_file = membrane_of("reference = \"unstressed.vtu\"");
+  EXPECT_EQ(from_file.reference, Reference::file);
+  EXPECT_EQ(from_file.reference_file, "/scenes/unstressed.vtu");
 }
 
 TEST(SceneRoundTrip, EveryFlow)

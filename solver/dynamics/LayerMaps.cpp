@@ -1,0 +1,114 @@
+#include "solver/dynamics/LayerMaps.h"
+
+#include "solver/stokes/DoubleLayer.h"
+#include "solver/stokes/TreeSum.h"
+#include "solver/stokes/WallImages.h"
+
+#include <algorithm>
+
+namespace vesicle
+{
+
+namespace
+{
+
+// Above, a tree is faster (docs/performance.md).
+constexpr double most_direct_pairs = 1e8;
+
+template<PointKind kind>
+std::unique_ptr<const PointSum> far_sum(
+  const RowVectors& points, const Points& vertices, const LayerSettings& layer)
+{
+  const double pairs = static_cast<double>(points.rows()) * static_cast<double>(vertices.rows());
+  if (layer.method == LayerMethod::tree ||
+    (layer.method == LayerMethod::automatic && pairs > most_direct_pairs))
+    return std::make_unique<TreePointSum<kind>>(points, vertices, layer.tree_tolerance);
+  return std::make_unique<DirectPointSum<kind>>(points, vertices);
+}
+
+Precision precision_of(LayerPrecision allowed, Precision enough)
+{
+  return allowed == LayerPrecision::mixed ? enough : Precision::full;
+}
+
+ContrastMap contrast(const StokesOperator& surfaces, const std::vector<double>& contrasts,
+  const LayerSettings& settings)
+{
+  if (std::all_of(contrasts.begin(), contrasts.end(), [](double factor) { return factor == 0; }))
+    return {};
+  const auto layer = std::make_shared<const DoubleLayer>(surfaces, contrasts,
+    [&](const RowVectors& points, const Points& vertices)
+    { return far_sum<PointKind::stresslet>(points, vertices, settings); });
+  return [layer, allowed = settings.precision](const std::vector<Eigen::VectorXd>& nodal,
+           const Eigen::VectorXd& at_vertices, Precision precision)
+  { return layer->apply(nodal, at_vertices, precision_of(allowed, precision)); };
+}
+
+LayerMap single_layer(const StokesOperator& layer, const LayerSettings& settings)
+{
+  if (settings.method != LayerMethod::dense)
+  {
+    const auto sum = std::make_shared<const LayerSum>(layer,
+      [&](const RowVectors& points, const Points& vertices)
+      { return far_sum<PointKind::force>(points, vertices, settings); });
+    return [sum, allowed = settings.precision](
+             const std::vector<Eigen::VectorXd>& densities, Precision precision)
+    { return sum->apply(densities, precision_of(allowed, precision)); };
+  }
+  const auto matrices = std::make_shared<std::vector<DenseMatrix>>();
+  for (int v = 0; v < layer.surfaces(); ++v)
+    matrices->push_back(layer.matrix(v));
+  return [matrices](const std::vector<Eigen::VectorXd>& densities, Precision)
+  {
+    Eigen::VectorXd velocity = multiply(matrices->front(), densities.front());
+    for (std::size_t v = 1; v < densities.size(); ++v)
+      velocity += multiply((*matrices)[v], densities[v]);
+    return velocity;
+  };
+}
+
+// The wall's, whatever applies the layers themselves.
+void add_images(const StokesOperator& surfaces, const std::vector<double>& contrasts,
+  const LayerSettings& settings, const Wall& wall, LayerMaps& maps)
+{
+  const LayerPrecision allowed = settings.precision;
+  const auto images = std::make_shared<const WallImages>(surfaces, wall, PointKind::force,
+    std::vector<double>(contrasts.size(), 1),
+    [&](const RowVectors& points, const Points& vertices)
+    { return far_sum<PointKind::force_image>(points, vertices, settings); });
+  maps.single = [images, allowed, alone = std::move(maps.single)](
+                  const std::vector<Eigen::VectorXd>& densities, Precision precision)
+  {
+    Eigen::VectorXd velocity = alone(densities, precision);
+    images->add(densities, precision_of(allowed, precision), velocity);
+    return velocity;
+  };
+  if (!maps.contrast)
+    return;
+  const auto of_contrast =
+    std::make_shared<const WallImages>(surfaces, wall, PointKind::stresslet, contrasts,
+      [&](const RowVectors& points, const Points& vertices)
+      { return far_sum<PointKind::stresslet_image>(points, vertices, settings); });
+  maps.contrast = [of_contrast, allowed, alone = std::move(maps.contrast)](
+                    const std::vector<Eigen::VectorXd>& nodal, const Eigen::VectorXd& at_vertices,
+                    Precision precision)
+  {
+    Eigen::VectorXd velocity = alone(nodal, at_vertices, precision);
+    of_contrast->add(nodal, precision_of(allowed, precision), velocity);
+    return velocity;
+  };
+}
+
+}
+
+LayerMaps layer_maps(std::vector<LayerSurface> surfaces, const std::vector<double>& contrasts,
+  const LayerSettings& settings, const std::optional<Wall>& wall)
+{
+  const StokesOperator layer(std::move(surfaces));
+  LayerMaps maps{ single_layer(layer, settings), contrast(layer, contrasts, settings) };
+  if (wall)
+    add_images(layer, contrasts, settings, *wall, maps);
+  return maps;
+}
+
+}
