@@ -10,8 +10,8 @@ SparseMatrix viscosity_matrix(const Surface& surface, double viscosity)
 {
   const BasisTable& table = surface.space->table();
   const SurfacePoints& points = surface.points;
-  return element_sum(table, 3, 3,
-    [&](ElementSum& sum, int q, int first, int width)
+  return element_sum<3, 3>(table,
+    [&](ElementSum<3, 3>& sum, int q, int first, int width)
     {
       const TangentFrame frame(points, q);
       thread_local EntryVectors elongation, shear;
