@@ -34,6 +34,13 @@ History simulate(const Scene& scene, const TriangleMesh& start, double latest)
   return watched(std::make_shared<Simulation>(scene, start), latest);
 }
 
+const Diagnostics& at_time(const History& run, double time)
+{
+  return *std::min_element(run.rows.begin(), run.rows.end(),
+    [=](const Diagnostics& a, const Diagnostics& b)
+    { return std::abs(a.time - time) < std::abs(b.time - time); });
+}
+
 double inclination(const Diagnostics& d)
 {
   return d.inclination_deg.value_or(std::nan(""));

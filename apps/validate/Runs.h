@@ -20,6 +20,9 @@ Scene scene_of(const std::string& name, const std::vector<std::string>& override
 History simulate(const Scene& scene);
 History simulate(const Scene& scene, const TriangleMesh& start, double latest = HUGE_VAL);
 
+/// The row nearest to a time.
+const Diagnostics& at_time(const History& run, double time);
+
 /// Of the long axis to the flow, in degrees; NaN where there is none.
 double inclination(const Diagnostics& d);
 

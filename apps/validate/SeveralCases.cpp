@@ -123,13 +123,6 @@ void inextensible(Report& report)
   }
 }
 
-const Diagnostics& at_time(const History& run, double time)
-{
-  return *std::min_element(run.rows.begin(), run.rows.end(),
-    [=](const Diagnostics& a, const Diagnostics& b)
-    { return std::abs(a.time - time) < std::abs(b.time - time); });
-}
-
 // Spectral, each started with the shape that it would keep alone; ours start as ellipsoids of its axes.
 void pair(Report& report)
 {

@@ -115,13 +115,6 @@ void falling_sphere(Report& report)
     }
 }
 
-const Diagnostics& at_time(const History& run, double time)
-{
-  return *std::min_element(run.rows.begin(), run.rows.end(),
-    [=](const Diagnostics& a, const Diagnostics& b)
-    { return std::abs(a.time - time) < std::abs(b.time - time); });
-}
-
 // Spectral. It starts with the shape that it would keep far from the wall.
 void lift(Report& report)
 {
