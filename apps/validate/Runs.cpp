@@ -8,6 +8,9 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace vesicle::validation
 {
 
