@@ -24,7 +24,8 @@ std::vector<std::string> run_of(
   // Some things are had on Loop's surface only, which "fast" hasn't.
   const Scene read = read_scene(scene);
   if (read.vesicles() == 1 && read.accuracy.mesh_motion != Scene::MeshMotion::adaptive &&
-    read.fluid.viscosity_ratio == 1 && !read.membrane.shear_modulus && !read.wall)
+    read.fluid.viscosity_ratio == 1 && read.membrane.surface_viscosity == 0 &&
+    !read.membrane.shear_modulus && !read.wall)
     arguments.insert(arguments.end(), { "--set", "accuracy.preset=fast" });
   if (read.vesicles() > 8)
     arguments.insert(arguments.end(), { "--set", "vesicle.triangles=60" });
