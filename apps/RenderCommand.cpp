@@ -291,22 +291,6 @@ void draw_section(const RenderOptions& options, const Subject& subject)
   write_chart(options.section, chart, options.size.empty() ? size : parse_size(options.size));
 }
 
-/// Of all frames, so that a value has one colour.
-ColorScale color_scale(const RenderOptions& options, const std::vector<vtkPolyData*>& surfaces)
-{
-  RangeFinder finder;
-  bool vector = false;
-  for (vtkPolyData* surface : surfaces)
-  {
-    vtkDataArray* array = finite_point_array(surface, options.movie.color);
-    finder.include(array);
-    vector = array->GetNumberOfComponents() > 1;
-  }
-  const Range range =
-    options.range.empty() ? finder.range() : Range{ options.range[0], options.range[1] };
-  return choose_color_scale(range, neutral_value(options.movie.color, surfaces.front()), vector);
-}
-
 constexpr const char *gltf = ".gltf", *usd = ".usda";
 
 /// The frames that a model has: a glTF file the last one, or that nearest to --times.
@@ -327,18 +311,17 @@ std::vector<SeriesFrame> frames_of_model(const RenderOptions& options, const Sub
 void write_model(const RenderOptions& options, const Subject& subject)
 {
   std::vector<vtkSmartPointer<vtkPolyData>> surfaces;
-  std::vector<vtkPolyData*> all;
   SmoothSurface smooth;
   for (const SeriesFrame& frame : frames_of_model(options, subject))
   {
     auto surface = triangulated(surface_of(frame.file, options.movie.color).Get());
     surfaces.push_back(
       options.movie.smooth ? smooth.refine(surface, { options.movie.color }).surface : surface);
-    all.push_back(surfaces.back());
   }
-  const ColorScale scale = color_scale(options, all);
+  const ColorScale scale =
+    color_scale(surfaces, options.movie.color, settings_of(options, subject).picture.range);
   std::vector<Model> models;
-  for (vtkPolyData* surface : all)
+  for (vtkPolyData* surface : surfaces)
   {
     models.push_back(model_of(surface, options.movie.color, scale));
   }

@@ -51,7 +51,8 @@ double cpu_seconds()
 
 Run::Run(Scene scene, const std::filesystem::path& folder, const RunOptions& options)
   : scene_(std::move(scene)), folder_(folder, scene_.name), options_(options),
-    began_(std::chrono::steady_clock::now()), series_(folder, scene_.name), writing_(most_waiting)
+    columns_(run_columns(rows_of(scene_))), began_(std::chrono::steady_clock::now()),
+    series_(folder, scene_.name), writing_(most_waiting)
 {
   stepper_->SetScene(scene_);
   stepper_->SetCacheSize(1); // never goes back
@@ -127,7 +128,7 @@ void Run::take_folder()
   }
   checkpoint_ = create_checkpoint();
   folder_.clear_but_checkpoint();
-  table_.emplace(folder_.table(), run_columns(rows_of(scene_)), std::vector<Row>{});
+  table_.emplace(folder_.table(), columns_, std::vector<Row>{});
   progress_.emplace(options_.quiet, 0, scene_.time.end);
   progress_->say(to_text(stepper_->GetSimulation()->numbers()));
   if (!stepper_->GetSimulation()->notes().empty())
@@ -204,7 +205,7 @@ bool Run::go_on()
   resumed_ = true;
 
   folder_.sweep();
-  table_.emplace(folder_.table(), run_columns(rows_of(scene_)), checkpoint_->series());
+  table_.emplace(folder_.table(), columns_, checkpoint_->series());
   series_.keep(times, stepper_->GetOutput());
   if (schedule.due(state) || stepper_->GetFinished())
   {
@@ -278,7 +279,7 @@ void Run::record()
   const Row row = run_row(stepper_->GetAllDiagnostics());
   try
   {
-    require_finite(state, run_columns(rows_of(scene_)), row);
+    require_finite(state, columns_, row);
   }
   catch (const NumericalError& error) // not to be saved as a good state
   {
@@ -342,7 +343,7 @@ RunFile Run::create_checkpoint() const
   header.time_scale = simulation.scales().time();
   header.energy_scale = simulation.scales().energy;
   header.viscosity = simulation.scales().viscosity;
-  header.columns = run_columns(rows_of(scene_));
+  header.columns = columns_;
   return RunFile::create(folder_.checkpoint(), header);
 }
 
@@ -478,7 +479,7 @@ void Run::draw(const RunTable& table)
 void Run::finish()
 {
   writing_.wait();
-  const RunTable table = run_table(run_columns(rows_of(scene_)), checkpoint_->series());
+  const RunTable table = run_table(columns_, checkpoint_->series());
   rows_ = checkpoint_->rows();
   checkpoint_->close();
   table_->close();

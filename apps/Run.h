@@ -79,6 +79,7 @@ private:
   Scene scene_;
   RunFolder folder_;
   RunOptions options_;
+  const std::vector<std::string> columns_; ///< of its table
   std::chrono::steady_clock::time_point began_;
   vtkNew<vtkVesicleStepper> stepper_;
   std::optional<FileLock> lock_; ///< of the folder, from before anything there is read

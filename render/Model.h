@@ -15,7 +15,6 @@ namespace vesicle
 
 struct Model
 {
-  double time = 0;
   Vector3 place; ///< that the points are seen from, so that single precision holds their shape
   Points points, normals;
   Points colors; ///< red, green, blue from 0 to 1, linear in the light

@@ -129,6 +129,18 @@ ColorScale color_scale(vtkPolyData* surface, const std::string& name,
     neutral ? *neutral : neutral_value(name, surface), array->GetNumberOfComponents() > 1);
 }
 
+ColorScale color_scale(const std::vector<vtkSmartPointer<vtkPolyData>>& surfaces,
+  const std::string& name, const std::optional<Range>& range)
+{
+  check_range(range);
+  RangeFinder finder;
+  for (vtkPolyData* surface : surfaces)
+  {
+    finder.include(finite_point_array(surface, name));
+  }
+  return color_scale(surfaces.front(), name, range.value_or(finder.range()), std::nullopt);
+}
+
 vtkSmartPointer<vtkRenderWindow> off_screen_window(const std::array<int, 2>& size, int samples)
 {
   auto window = vtkSmartPointer<vtkRenderWindow>::New();

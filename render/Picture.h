@@ -55,6 +55,10 @@ void add_lamps(vtkRenderer* renderer);
 ColorScale color_scale(vtkPolyData* surface, const std::string& array,
   const std::optional<Range>& range, const std::optional<double>& neutral);
 
+/// That of several shapes together. Throws InputError for an impossible range, and as finite_point_array().
+ColorScale color_scale(const std::vector<vtkSmartPointer<vtkPolyData>>& surfaces,
+  const std::string& array, const std::optional<Range>& range);
+
 /// A window off the screen. It doesn't show what it draws, so that grab_image alone can tell.
 vtkSmartPointer<vtkRenderWindow> off_screen_window(const std::array<int, 2>& size, int samples);
 

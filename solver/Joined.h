@@ -23,14 +23,20 @@ inline std::string joined(const std::vector<std::string>& words, std::string_vie
   return text;
 }
 
-/// Those of the texts that say something, one a line.
-inline std::string lines(std::initializer_list<std::string> texts)
+/// Those of the texts that say something.
+inline std::string joined_said(std::initializer_list<std::string> texts, std::string_view separator)
 {
   std::vector<std::string> said;
   for (const std::string& text : texts)
     if (!text.empty())
       said.push_back(text);
-  return joined(said, "\n");
+  return joined(said, separator);
+}
+
+/// The same, one a line.
+inline std::string lines(std::initializer_list<std::string> texts)
+{
+  return joined_said(texts, "\n");
 }
 
 }

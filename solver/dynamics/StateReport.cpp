@@ -73,6 +73,16 @@ bool own(const MembraneTerm& term)
   return !term.external();
 }
 
+/// All that the membrane itself exerts on the fluids; `forces`: of its terms.
+NodalForce membrane_force(
+  const std::vector<NodalForce>& forces, const VesicleShape& shape, const VesicleState& state)
+{
+  NodalForce sum = sum_of(forces, shape, own);
+  sum += constraint_force(shape, state);
+  sum += viscous_force(shape, state);
+  return sum;
+}
+
 bool empty(const NodalForce& force)
 {
   return force.normal.size() == 0 && force.vector.size() == 0;
@@ -160,9 +170,7 @@ void StateReport::add_power(const VesicleShape& shape, const VesicleState& state
   const std::vector<NodalForce> forces = forces_used(shape, state);
   NodalForce load = sum_of(forces, shape, external);
   load += shape.force_from_others;
-  NodalForce membrane = sum_of(forces, shape, own);
-  membrane += constraint_force(shape, state);
-  membrane += viscous_force(shape, state);
+  const NodalForce membrane = membrane_force(forces, shape, state);
   const auto total = [&](const Eigen::VectorXd& v)
   {
     const double tension =
@@ -230,9 +238,7 @@ void StateReport::add_flow(const VesicleShape& shape, const VesicleState& state,
     tank_treading_frequency(sample.mesh, sample.field, surface.center, U) / scales_.time();
 
   RowVectors force;
-  NodalForce membrane = sum_of(forces_used(shape, state), shape, own);
-  membrane += constraint_force(shape, state);
-  membrane += viscous_force(shape, state);
+  const NodalForce membrane = membrane_force(forces_used(shape, state), shape, state);
   if (!empty(membrane))
     force = interpolate(
       table, rows_of_three(surface.to_control(flat(shape.basis().at_vertices(membrane)))));

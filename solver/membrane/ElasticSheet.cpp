@@ -117,10 +117,10 @@ std::vector<EntryVectors> ElasticSheet::rates(const SurfacePoints& surface) cons
     const TangentFrame frame(surface, row);
     for (int k = table_->start[row]; k < table_->start[row + 1]; ++k)
     {
-      const auto [along, across] = frame.derivatives(table_->du[k], table_->dv[k]);
-      rates[0].row(k) = shear * (along * frame.t - across * frame.s);
-      rates[1].row(k) = shear * (across * frame.t + along * frame.s);
-      rates[2].row(k) = dilation * (along * frame.t + across * frame.s);
+      const auto strain = frame.strain(table_->du[k], table_->dv[k]);
+      rates[0].row(k) = shear * strain.elongation;
+      rates[1].row(k) = shear * strain.shear;
+      rates[2].row(k) = dilation * strain.dilation;
     }
   };
   parallel_for(table_->rows(), at_row, 256);

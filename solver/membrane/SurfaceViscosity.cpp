@@ -19,9 +19,9 @@ SparseMatrix viscosity_matrix(const Surface& surface, double viscosity)
       shear.resize(width, 3);
       for (int k = 0; k < width; ++k)
       {
-        const auto [along, across] = frame.derivatives(table.du[first + k], table.dv[first + k]);
-        elongation.row(k) = along * frame.t - across * frame.s;
-        shear.row(k) = across * frame.t + along * frame.s;
+        const auto strain = frame.strain(table.du[first + k], table.dv[first + k]);
+        elongation.row(k) = strain.elongation;
+        shear.row(k) = strain.shear;
       }
       const double factor = viscosity * points.area_weight[q];
       sum.add_outer_product(factor, elongation.data(), elongation.data());

@@ -150,12 +150,6 @@ std::string measured(const SceneKey& key, const Scene& scene)
   return is_number ? quantity_text(value, dimensions.front()) : "";
 }
 
-std::vector<std::string> without_empty(std::vector<std::string> texts)
-{
-  std::erase(texts, "");
-  return texts;
-}
-
 /// A missing mesh is better said here, with the scene's line, than when it is read.
 void check_meshes_exist(const SceneDocument& document, const Scene& scene)
 {
@@ -200,9 +194,8 @@ std::string annotated_scene(
   const auto remark = [&](const SceneTable& table, const SceneKey& key, std::size_t vesicle)
   {
     const bool given = of_vesicles[vesicle].find(table.name, key.name);
-    return joined(
-      without_empty({ key.unit, measured(key, scene.alone(vesicle)), given ? "" : "by default" }),
-      "; ");
+    return joined_said(
+      { key.unit, measured(key, scene.alone(vesicle)), given ? "" : "by default" }, "; ");
   };
   return write_scene(scene, remark);
 }

@@ -83,22 +83,6 @@ bool near_panel(const SurfacePanels& panels, int panel, const Vector3& x)
   return (x - panels.center(panel)).squaredNorm() < reach * reach;
 }
 
-auto moments_of(PointKind kind)
-{
-  switch (kind)
-  {
-    case PointKind::stresslet:
-      return add_stresslet_moments;
-    case PointKind::force_image:
-      return add_stokeslet_image_moments;
-    case PointKind::stresslet_image:
-      return add_stresslet_image_moments;
-    case PointKind::force:
-      break;
-  }
-  return add_stokeslet_moments;
-}
-
 /// ∫ m_t · kernel dS over a panel, of each of its monomials.
 template<int size>
 Blocks<size> moments(const SurfacePanels& panels, int panel, PointKind kind, const Vector3& x)
@@ -114,7 +98,7 @@ Blocks<size> moments(const SurfacePanels& panels, int panel, PointKind kind, con
   const PanelShape shape{ panels.coefficients(panel), panels.degree(),
     panels.coefficient_stride() };
   Blocks<size> sum = Blocks<size>::Zero(polynomial_terms(panels.degree()), size);
-  moments_of(kind)(rule.points(), shape, x.data(), sum.data());
+  add_moments(kind, rule.points(), shape, x.data(), sum.data());
   return sum;
 }
 
@@ -210,7 +194,7 @@ std::vector<NearVertices> near_vertices(const std::vector<LayerSurface>& surface
 
 NearSurfaceCorrections::NearSurfaceCorrections(
   const Surface& surface, const Points& vertices, const NearVertices& near, PointKind kind)
-  : block_size_(is_image(kind) ? image_components : stokeslet_components), vertex_(near.vertex)
+  : block_size_(block_components(kind)), vertex_(near.vertex)
 {
   for (int row = 0; row < static_cast<int>(vertex_.size()); ++row)
   {

@@ -1,9 +1,7 @@
 #pragma once
-// Derivatives along the surface in an orthonormal frame of the tangent plane.
+// Rates of strain along the surface in an orthonormal frame of the tangent plane.
 
 #include "solver/surface/SurfaceIntegrals.h"
-
-#include <utility>
 
 namespace vesicle
 {
@@ -23,10 +21,18 @@ struct TangentFrame
     t = a / length_;
     s = cross.cross(t) / J_;
   }
-  /// Along t and s, of a function with the derivatives du and dv.
-  std::pair<double, double> derivatives(double du, double dv) const
+  /// What the velocity of a node whose function has the derivatives du and dv adds to the rate of strain e,
+  /// as the factors of its components.
+  struct Strain
   {
-    return { du / length_, (dv * length_ - du * skew_) / J_ };
+    Eigen::RowVector3d elongation; ///< e_tt − e_ss
+    Eigen::RowVector3d shear;      ///< 2 e_ts
+    Eigen::RowVector3d dilation;   ///< e_tt + e_ss
+  };
+  Strain strain(double du, double dv) const
+  {
+    const double along = du / length_, across = (dv * length_ - du * skew_) / J_;
+    return { along * t - across * s, across * t + along * s, along * t + across * s };
   }
 
 private:

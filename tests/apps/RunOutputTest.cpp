@@ -210,6 +210,26 @@ TEST_F(RunOutput, RenderTakesGuidesAndChartsFromTheRun)
   EXPECT_FALSE(std::filesystem::exists(*folder / "film.gif"));
 }
 
+TEST_F(RunOutput, ModelsAreForOtherPrograms)
+{
+  const auto render = [](const std::vector<std::string>& options)
+  {
+    std::vector<std::string> arguments{ "render", "pear/pear.pvd" };
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return vesicle_command(folder->path(), arguments);
+  };
+  auto outcome = render({ "--model", "pear.gltf", "--smooth" });
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_EQ(nlohmann::json::parse(bytes_of(*folder / "pear.gltf"))["asset"]["version"], "2.0");
+  outcome = render({ "--model", "pear.usda", "--times", "0", "0.1" });
+  EXPECT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_NE(bytes_of(*folder / "pear.usda").find("endTimeCode = 1\n"), std::string::npos);
+  EXPECT_EQ(render({ "--model", "pear.obj" }).code, 2);
+  outcome = render({ "--model", "one.gltf", "--range", "1", "1" });
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.errors.find("not an interval"), std::string::npos) << outcome.errors;
+}
+
 TEST_F(RunOutput, MontageShowsShapesAtTheirTimes)
 {
   if (!std::filesystem::exists(file("movie/frame_000000.png")))

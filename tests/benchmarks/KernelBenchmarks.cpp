@@ -146,8 +146,10 @@ void add(const std::string& name, const HandWritten<Real>& by_hand, Loop<Real> o
 {
   for (const InstructionSet& set : instruction_sets())
   {
-    add<double>(set.name + std::string("/double"), set.in_double, set.ours.add_forces_double);
-    add<float>(set.name + std::string("/single"), set.in_single, set.ours.add_forces_float);
+    add<double>(set.name + std::string("/double"), set.in_double,
+      set.ours.add_points<double, PointKind::force>());
+    add<float>(set.name + std::string("/single"), set.in_single,
+      set.ours.add_points<float, PointKind::force>());
   }
   return true;
 }();

@@ -117,7 +117,7 @@ void SeriesWriter::list(double time, FrameLayout layout)
   xdmf_frames_.push_back({ time, frame_name(index, ".h5"), std::move(layout) });
 }
 
-void SeriesWriter::append(vtkPolyData* surface, double time)
+void SeriesWriter::append(vtkDataObject* surface, double time)
 {
   const std::size_t index = frames_.size();
   if (index == 0) // later on it is an error if the folder is gone

@@ -7,6 +7,7 @@
 
 #include "solver/state/XdmfFile.h"
 
+class vtkDataObject;
 class vtkPolyData;
 
 namespace vesicle
@@ -29,8 +30,8 @@ public:
   /// are removed. All have the triangles and arrays of `like`. Throws InputError as well, as above.
   void keep(const std::vector<double>& times, vtkPolyData* like);
 
-  /// Adds a frame; a field data array TimeValue of one value holds the time as well.
-  void append(vtkPolyData* surface, double time);
+  /// Adds a frame, of what triangulated() takes; a field data array TimeValue of one value holds the time as well.
+  void append(vtkDataObject* surface, double time);
 
   const std::vector<SeriesFrame>& frames() const { return frames_; }
   /// The frames' files from here.

@@ -1,6 +1,5 @@
 #include "vtkVesicleSeriesWriter.h"
 
-#include "MeshConversion.h"
 #include "SeriesWriter.h"
 #include "SurfacePorts.h"
 
@@ -76,8 +75,7 @@ void vtkVesicleSeriesWriter::WriteData()
     {
       this->Series = series_in(this->FileName);
     }
-    const auto surface = vesicle::triangulated(this->GetInput(), "input");
-    this->Series->append(surface, time_of(this->GetInput()));
+    this->Series->append(this->GetInput(), time_of(this->GetInput()));
   }
   catch (const std::exception& error)
   {

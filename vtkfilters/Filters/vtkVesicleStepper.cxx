@@ -154,6 +154,7 @@ struct vtkVesicleStepper::Internals
   std::string FieldNotes;     // on the scene's velocity field
   vtkMTimeType SceneTime = 0;
   std::unique_ptr<Simulation> Sim;
+  vtkSmartPointer<vtkPolyData> Start; // the input's membrane, whose indices have been looked at
   std::unique_ptr<vesicle::Trajectory> Path;
   vtkMTimeType SimulationTime = 0;
 
@@ -255,11 +256,12 @@ struct vtkVesicleStepper::Internals
     vesicle::add_medium(this->CurrentScene, moment.time, to);
   }
 
-  void Deliver(const Moment& moment, vtkDataObject* start, vtkPolyData* output)
+  /// `start` passes its arrays on; nullptr: none.
+  void Deliver(const Moment& moment, vtkPolyData* start, vtkPolyData* output)
   {
     if (start)
     {
-      output->ShallowCopy(vesicle::membrane_of(start));
+      output->ShallowCopy(start);
     }
     const vesicle::VesicleState& vesicle = moment.before->vesicles[0];
     if (start && this->Sim->vesicles() == 1 &&
@@ -532,11 +534,7 @@ void vtkVesicleStepper::Prepare(vtkDataObject* start)
   {
     return;
   }
-  vtkSmartPointer<vtkPolyData> membrane; // whose indices have been looked at
-  if (start)
-  {
-    membrane = vesicle::membrane_of(start);
-  }
+  const auto membrane = start ? vesicle::membrane_of(start) : nullptr;
   if (membrane && !internal.HasScene())
   {
     internal.CurrentScene.companions.assign(
@@ -544,6 +542,7 @@ void vtkVesicleStepper::Prepare(vtkDataObject* start)
       internal.CurrentScene.companion());
   }
   internal.StartAnew(membrane, this->CacheSize);
+  internal.Start = membrane;
   internal.SimulationTime = needed;
   if (!internal.Sim->notes().empty())
   {
@@ -651,7 +650,9 @@ int vtkVesicleStepper::RequestData(
     [&]
     {
       vesicle::doing(fmt::format("the surface at t = {:.6g}", time),
-        [&] { internal.Deliver(internal.Path->at(time), start, output); });
+        [&] {
+          internal.Deliver(internal.Path->at(time), start ? internal.Start.Get() : nullptr, output);
+        });
     });
 }
 

@@ -181,13 +181,22 @@ void read_nodes_2(Numbers& numbers, std::int64_t count, GmshMesh& mesh)
   }
 }
 
+/// The head of a section of version 4: how many blocks it has, of `what`.
+template<class Numbers>
+std::int64_t read_blocks(Numbers& numbers, const std::string& what)
+{
+  const std::int64_t blocks = numbers.count("the number of blocks of " + what);
+  for (const std::string& of_all :
+    { "the number of " + what, std::string("the least tag"), std::string("the greatest tag") })
+    numbers.count(of_all);
+  numbers.require(blocks, 4, "the blocks of " + what);
+  return blocks;
+}
+
 template<class Numbers>
 void read_nodes_4(Numbers& numbers, GmshMesh& mesh)
 {
-  const std::int64_t blocks = numbers.count("the number of blocks of nodes");
-  for (const char* what : { "the number of nodes", "the least tag", "the greatest tag" })
-    numbers.count(what);
-  numbers.require(blocks, 4, "the blocks of nodes");
+  const std::int64_t blocks = read_blocks(numbers, "nodes");
   for (std::int64_t b = 0; b < blocks; ++b)
   {
     const std::int64_t dimension = numbers.integer("the dimension of an entity");
@@ -263,10 +272,7 @@ void read_elements_2(BinaryNumbers& numbers, std::int64_t count, GmshMesh& mesh)
 template<class Numbers>
 void read_elements_4(Numbers& numbers, GmshMesh& mesh)
 {
-  const std::int64_t blocks = numbers.count("the number of blocks of elements");
-  for (const char* what : { "the number of elements", "the least tag", "the greatest tag" })
-    numbers.count(what);
-  numbers.require(blocks, 4, "the blocks of elements");
+  const std::int64_t blocks = read_blocks(numbers, "elements");
   for (std::int64_t b = 0; b < blocks; ++b)
   {
     numbers.integer("the dimension of an entity");

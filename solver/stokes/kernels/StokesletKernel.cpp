@@ -47,28 +47,10 @@ void multiply_stokeslets(const double* sum, int nodes, const double* vectors, do
   loops().multiply_stokeslets(sum, nodes, vectors, velocities);
 }
 
-void add_stokeslet_moments(
-  const PanelPoints& points, const PanelShape& panel, const double* target, double* sum)
+void add_moments(PointKind kind, const PanelPoints& points, const PanelShape& panel,
+  const double* target, double* sum)
 {
-  loops().add_stokeslet_moments(points, panel, target, sum);
-}
-
-void add_stresslet_moments(
-  const PanelPoints& points, const PanelShape& panel, const double* target, double* sum)
-{
-  loops().add_stresslet_moments(points, panel, target, sum);
-}
-
-void add_stokeslet_image_moments(
-  const PanelPoints& points, const PanelShape& panel, const double* target, double* sum)
-{
-  loops().add_stokeslet_image_moments(points, panel, target, sum);
-}
-
-void add_stresslet_image_moments(
-  const PanelPoints& points, const PanelShape& panel, const double* target, double* sum)
-{
-  loops().add_stresslet_image_moments(points, panel, target, sum);
+  loops().add_moments[static_cast<std::size_t>(kind)](points, panel, target, sum);
 }
 
 void add_velocities(const ForceSources& sources, int begin, int end, const double* targets,
@@ -77,46 +59,23 @@ void add_velocities(const ForceSources& sources, int begin, int end, const doubl
   loops().add_velocities(sources, begin, end, targets, mask, sum);
 }
 
-void add_points(const PointForces<double>& sources, const double* targets, double* velocities)
+template<class Real, PointKind kind>
+void add_points(const PointSources<Real, kind>& sources, const Real* targets, Real* velocities)
 {
-  loops().add_forces_double(sources, targets, velocities);
+  loops().add_points<Real, kind>()(sources, targets, velocities);
 }
 
-void add_points(const PointForces<float>& sources, const float* targets, float* velocities)
-{
-  loops().add_forces_float(sources, targets, velocities);
-}
-
-void add_points(const PointStresslets<double>& sources, const double* targets, double* velocities)
-{
-  loops().add_stresslets_double(sources, targets, velocities);
-}
-
-void add_points(const PointStresslets<float>& sources, const float* targets, float* velocities)
-{
-  loops().add_stresslets_float(sources, targets, velocities);
-}
-
-void add_points(const PointForceImages<double>& sources, const double* targets, double* velocities)
-{
-  loops().add_force_images_double(sources, targets, velocities);
-}
-
-void add_points(const PointForceImages<float>& sources, const float* targets, float* velocities)
-{
-  loops().add_force_images_float(sources, targets, velocities);
-}
-
-void add_points(
-  const PointStressletImages<double>& sources, const double* targets, double* velocities)
-{
-  loops().add_stresslet_images_double(sources, targets, velocities);
-}
-
-void add_points(const PointStressletImages<float>& sources, const float* targets, float* velocities)
-{
-  loops().add_stresslet_images_float(sources, targets, velocities);
-}
+template void add_points(const PointSources<double, PointKind::force>&, const double*, double*);
+template void add_points(const PointSources<float, PointKind::force>&, const float*, float*);
+template void add_points(const PointSources<double, PointKind::stresslet>&, const double*, double*);
+template void add_points(const PointSources<float, PointKind::stresslet>&, const float*, float*);
+template void add_points(
+  const PointSources<double, PointKind::force_image>&, const double*, double*);
+template void add_points(const PointSources<float, PointKind::force_image>&, const float*, float*);
+template void add_points(
+  const PointSources<double, PointKind::stresslet_image>&, const double*, double*);
+template void add_points(
+  const PointSources<float, PointKind::stresslet_image>&, const float*, float*);
 
 double dot(const double* a, const double* b, long n)
 {

@@ -63,39 +63,8 @@ struct PanelShape
   int degree, stride;
 };
 
-/// Σ weight · m_t · G dS/8πμ over the points, of every monomial m_t of the panel, is added to
-/// sum[6 t + component], xx, xy, xz, yy, yz, zz; X from the target (x, y, z) to the point.
-void add_stokeslet_moments(
-  const PanelPoints& points, const PanelShape& panel, const double* target, double* sum);
-/// The same of X Xᵀ (X·n)/r⁵.
-void add_stresslet_moments(
-  const PanelPoints& points, const PanelShape& panel, const double* target, double* sum);
-
-/// Numbers of an image's block, which isn't symmetric: its rows, one after the other.
-inline constexpr int image_components = 9;
-/// As add_stokeslet_moments and add_stresslet_moments, of the images in the wall z = 0 (WallImage.h): the
-/// panel is a mirrored one, whose normal a_u × a_v points inward. sum[9 t + component].
-void add_stokeslet_image_moments(
-  const PanelPoints& points, const PanelShape& panel, const double* target, double* sum);
-void add_stresslet_image_moments(
-  const PanelPoints& points, const PanelShape& panel, const double* target, double* sum);
-
-/// Source points with a known force.
-struct ForceSources : StokesletSources
-{
-  const double* force;  ///< of every row: f, 3 numbers, one component after the other
-  const double* normal; ///< of every row, stored like f
-  int rows;
-};
-
-/// Rows [begin, end) are added up: Σ weight G f (3 components) and Σ weight X·n/r³, X from the
-/// target to the source, are added to sum[component · lanes + lane].
-void add_velocities(const ForceSources& sources, int begin, int end, const double* targets,
-  const double* mask, double* sum);
-
-/// Fields that are summed over points, X from the target to the source. An image is what a wall z = 0
-/// that sticks adds to a source's field; its position and strength are the mirrored source's
-/// (WallImage.h).
+/// Fields of points, X from the target to the source. An image is what a wall z = 0 that sticks adds to a
+/// source's field; its position and strength are the mirrored source's (WallImage.h).
 enum class PointKind
 {
   force,          ///< of a force f: G f
@@ -112,6 +81,35 @@ constexpr bool is_image(PointKind kind)
   return kind == PointKind::force_image || kind == PointKind::stresslet_image;
 }
 
+inline constexpr int point_kinds = 4;
+
+/// Numbers of a kernel's block, 3 by 3: xx, xy, xz, yy, yz, zz; an image's isn't symmetric: its rows, one
+/// after the other.
+inline constexpr int image_components = 9;
+constexpr int block_components(PointKind kind)
+{
+  return is_image(kind) ? image_components : stokeslet_components;
+}
+
+/// Σ weight · m_t · kernel dS/8πμ over the points, of every monomial m_t of the panel, is added to
+/// sum[block_components t + component]; X from the target (x, y, z) to the point. The kernels are G and
+/// X Xᵀ (X·n)/r⁵; of an image the panel is a mirrored one, whose normal a_u × a_v points inward.
+void add_moments(PointKind kind, const PanelPoints& points, const PanelShape& panel,
+  const double* target, double* sum);
+
+/// Source points with a known force.
+struct ForceSources : StokesletSources
+{
+  const double* force;  ///< of every row: f, 3 numbers, one component after the other
+  const double* normal; ///< of every row, stored like f
+  int rows;
+};
+
+/// Rows [begin, end) are added up: Σ weight G f (3 components) and Σ weight X·n/r³, X from the
+/// target to the source, are added to sum[component · lanes + lane].
+void add_velocities(const ForceSources& sources, int begin, int end, const double* targets,
+  const double* mask, double* sum);
+
 /// What acts at points, one array a component: x, y, z, or xx, xy, xz, yy, yz, zz.
 template<class Real, PointKind kind>
 struct PointSources
@@ -122,12 +120,6 @@ struct PointSources
 };
 template<class Real>
 using PointForces = PointSources<Real, PointKind::force>;
-template<class Real>
-using PointStresslets = PointSources<Real, PointKind::stresslet>;
-template<class Real>
-using PointForceImages = PointSources<Real, PointKind::force_image>;
-template<class Real>
-using PointStressletImages = PointSources<Real, PointKind::stresslet_image>;
 
 /// Targets of a sum over points.
 inline constexpr int sum_lanes = 16;
@@ -135,16 +127,8 @@ inline constexpr int sum_lanes = 16;
 /// The sources' fields at the targets x, y, z of sum_lanes each are added to `velocities`, which
 /// lie as they do. A target must not be a source. Single precision leaves an error of some 1e-5 of
 /// the velocity.
-void add_points(const PointForces<double>& sources, const double* targets, double* velocities);
-void add_points(const PointForces<float>& sources, const float* targets, float* velocities);
-void add_points(const PointStresslets<double>& sources, const double* targets, double* velocities);
-void add_points(const PointStresslets<float>& sources, const float* targets, float* velocities);
-void add_points(const PointForceImages<double>& sources, const double* targets, double* velocities);
-void add_points(const PointForceImages<float>& sources, const float* targets, float* velocities);
-void add_points(
-  const PointStressletImages<double>& sources, const double* targets, double* velocities);
-void add_points(
-  const PointStressletImages<float>& sources, const float* targets, float* velocities);
+template<class Real, PointKind kind>
+void add_points(const PointSources<Real, kind>& sources, const Real* targets, Real* velocities);
 
 /// Σ a_i b_i.
 double dot(const double* a, const double* b, long n);

@@ -3,8 +3,22 @@
 
 #include "solver/stokes/kernels/StokesletKernel.h"
 
+#include <tuple>
+#include <type_traits>
+
 namespace vesicle
 {
+
+using AddMoments = void (*)(
+  const PanelPoints& points, const PanelShape& panel, const double* target, double* sum);
+template<class Real, PointKind kind>
+using AddPoints = void (*)(
+  const PointSources<Real, kind>& sources, const Real* targets, Real* velocities);
+/// By PointKind.
+template<class Real>
+using PointLoops =
+  std::tuple<AddPoints<Real, PointKind::force>, AddPoints<Real, PointKind::stresslet>,
+    AddPoints<Real, PointKind::force_image>, AddPoints<Real, PointKind::stresslet_image>>;
 
 struct StokesletLoops
 {
@@ -14,33 +28,22 @@ struct StokesletLoops
     const double* mask, const int* place, double* sum);
   void (*multiply_stokeslets)(
     const double* sum, int nodes, const double* vectors, double* velocities);
-  void (*add_stokeslet_moments)(
-    const PanelPoints& points, const PanelShape& panel, const double* target, double* sum);
-  void (*add_stresslet_moments)(
-    const PanelPoints& points, const PanelShape& panel, const double* target, double* sum);
-  void (*add_stokeslet_image_moments)(
-    const PanelPoints& points, const PanelShape& panel, const double* target, double* sum);
-  void (*add_stresslet_image_moments)(
-    const PanelPoints& points, const PanelShape& panel, const double* target, double* sum);
+  std::array<AddMoments, point_kinds> add_moments; ///< by PointKind
   void (*add_velocities)(const ForceSources& sources, int begin, int end, const double* targets,
     const double* mask, double* sum);
-  void (*add_forces_double)(
-    const PointForces<double>& forces, const double* targets, double* velocities);
-  void (*add_forces_float)(
-    const PointForces<float>& forces, const float* targets, float* velocities);
-  void (*add_stresslets_double)(
-    const PointStresslets<double>& stresslets, const double* targets, double* velocities);
-  void (*add_stresslets_float)(
-    const PointStresslets<float>& stresslets, const float* targets, float* velocities);
-  void (*add_force_images_double)(
-    const PointForceImages<double>& forces, const double* targets, double* velocities);
-  void (*add_force_images_float)(
-    const PointForceImages<float>& forces, const float* targets, float* velocities);
-  void (*add_stresslet_images_double)(
-    const PointStressletImages<double>& stresslets, const double* targets, double* velocities);
-  void (*add_stresslet_images_float)(
-    const PointStressletImages<float>& stresslets, const float* targets, float* velocities);
+  PointLoops<double> points_in_double;
+  PointLoops<float> points_in_single;
   double (*dot)(const double* a, const double* b, long n);
+
+  template<class Real, PointKind kind>
+  AddPoints<Real, kind> add_points() const
+  {
+    constexpr auto number = static_cast<std::size_t>(kind);
+    if constexpr (std::is_same_v<Real, double>)
+      return std::get<number>(points_in_double);
+    else
+      return std::get<number>(points_in_single);
+  }
 };
 
 const StokesletLoops& portable_loops();

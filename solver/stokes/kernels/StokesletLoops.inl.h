@@ -331,12 +331,6 @@ VESICLE_INLINE void area_element(Lanes& area, const PanelPlaces<degree>& p)
   area = square * inverse;
 }
 
-// Of a panel's kernel by the kind of its points: xx, xy, xz, yy, yz, zz, or an image's rows.
-constexpr int block_size_of(PointKind kind)
-{
-  return is_image(kind) ? image_components : stokeslet_components;
-}
-
 // weight · kernel dS/8πμ at points of a panel.
 template<PointKind kind, int degree>
 VESICLE_INLINE std::enable_if_t<!is_image(kind)> components(
@@ -420,10 +414,10 @@ VESICLE_INLINE std::enable_if_t<is_image(kind)> components(
 }
 
 template<int degree, PointKind kind>
-VESICLE_INLINE void add_moments(
+VESICLE_INLINE void add_moments_of_degree(
   const PanelPoints& points, const PanelShape& panel, const double* target, double* sum)
 {
-  constexpr int terms = PanelPlaces<degree>::terms, size = block_size_of(kind);
+  constexpr int terms = PanelPlaces<degree>::terms, size = block_components(kind);
   Lanes total[terms][size];
   std::memset(&total, 0, sizeof total);
   for (int q = 0; q < points.count; q += lanes)
@@ -446,37 +440,13 @@ VESICLE_INLINE void add_moments(
 }
 
 template<PointKind kind>
-VESICLE_INLINE void add_moments_of(
+void add_moments(
   const PanelPoints& points, const PanelShape& panel, const double* target, double* sum)
 {
   if (panel.degree == 1)
-    add_moments<1, kind>(points, panel, target, sum);
+    add_moments_of_degree<1, kind>(points, panel, target, sum);
   else
-    add_moments<4, kind>(points, panel, target, sum);
-}
-
-void add_stokeslet_moments(
-  const PanelPoints& points, const PanelShape& panel, const double* target, double* sum)
-{
-  add_moments_of<PointKind::force>(points, panel, target, sum);
-}
-
-void add_stresslet_moments(
-  const PanelPoints& points, const PanelShape& panel, const double* target, double* sum)
-{
-  add_moments_of<PointKind::stresslet>(points, panel, target, sum);
-}
-
-void add_stokeslet_image_moments(
-  const PanelPoints& points, const PanelShape& panel, const double* target, double* sum)
-{
-  add_moments_of<PointKind::force_image>(points, panel, target, sum);
-}
-
-void add_stresslet_image_moments(
-  const PanelPoints& points, const PanelShape& panel, const double* target, double* sum)
-{
-  add_moments_of<PointKind::stresslet_image>(points, panel, target, sum);
+    add_moments_of_degree<4, kind>(points, panel, target, sum);
 }
 
 template<class Real>
@@ -491,8 +461,8 @@ VESICLE_INLINE void add_velocity(Wide<Real> u[3], const PointForces<Real>& s, in
 }
 
 template<class Real>
-VESICLE_INLINE void add_velocity(Wide<Real> u[3], const PointStresslets<Real>& s, int q,
-  const Wide<Real>& dx, const Wide<Real>& dy, const Wide<Real>& dz, const Wide<Real>& over_r)
+VESICLE_INLINE void add_velocity(Wide<Real> u[3], const PointSources<Real, PointKind::stresslet>& s,
+  int q, const Wide<Real>& dx, const Wide<Real>& dy, const Wide<Real>& dz, const Wide<Real>& over_r)
 {
   const Real xx = s.strength[0][q], xy = s.strength[1][q], xz = s.strength[2][q],
              yy = s.strength[3][q], yz = s.strength[4][q], zz = s.strength[5][q];
@@ -508,8 +478,9 @@ VESICLE_INLINE void add_velocity(Wide<Real> u[3], const PointStresslets<Real>& s
 
 // The images: their source's z is −h, z of the target follows from dz.
 template<class Real>
-VESICLE_INLINE void add_velocity(Wide<Real> u[3], const PointForceImages<Real>& s, int q,
-  const Wide<Real>& dx, const Wide<Real>& dy, const Wide<Real>& dz, const Wide<Real>& over_r)
+VESICLE_INLINE void add_velocity(Wide<Real> u[3],
+  const PointSources<Real, PointKind::force_image>& s, int q, const Wide<Real>& dx,
+  const Wide<Real>& dy, const Wide<Real>& dz, const Wide<Real>& over_r)
 {
   const Real fx = s.strength[0][q], fy = s.strength[1][q], fz = s.strength[2][q],
              h = -s.position[2][q];
@@ -522,8 +493,9 @@ VESICLE_INLINE void add_velocity(Wide<Real> u[3], const PointForceImages<Real>& 
 }
 
 template<class Real>
-VESICLE_INLINE void add_velocity(Wide<Real> u[3], const PointStressletImages<Real>& s, int q,
-  const Wide<Real>& dx, const Wide<Real>& dy, const Wide<Real>& dz, const Wide<Real>& over_r)
+VESICLE_INLINE void add_velocity(Wide<Real> u[3],
+  const PointSources<Real, PointKind::stresslet_image>& s, int q, const Wide<Real>& dx,
+  const Wide<Real>& dy, const Wide<Real>& dz, const Wide<Real>& over_r)
 {
   const Real xx = s.strength[0][q], xy = s.strength[1][q], xz = s.strength[2][q],
              yy = s.strength[3][q], yz = s.strength[4][q], zz = s.strength[5][q],
@@ -566,57 +538,11 @@ VESICLE_INLINE void add_sources_at(
 }
 
 template<class Real, PointKind kind>
-VESICLE_INLINE void add_sources(
-  const PointSources<Real, kind>& s, const Real* targets, Real* velocities)
+void add_sources(const PointSources<Real, kind>& s, const Real* targets, Real* velocities)
 {
   constexpr int width = bytes / sizeof(Real), at_once = width < sum_lanes ? 2 * width : width;
   for (int i = 0; i < sum_lanes; i += at_once)
     add_sources_at(s, targets + i, velocities + i);
-}
-
-void add_forces_double(const PointForces<double>& s, const double* targets, double* velocities)
-{
-  add_sources(s, targets, velocities);
-}
-
-void add_forces_float(const PointForces<float>& s, const float* targets, float* velocities)
-{
-  add_sources(s, targets, velocities);
-}
-
-void add_stresslets_double(
-  const PointStresslets<double>& s, const double* targets, double* velocities)
-{
-  add_sources(s, targets, velocities);
-}
-
-void add_stresslets_float(const PointStresslets<float>& s, const float* targets, float* velocities)
-{
-  add_sources(s, targets, velocities);
-}
-
-void add_force_images_double(
-  const PointForceImages<double>& s, const double* targets, double* velocities)
-{
-  add_sources(s, targets, velocities);
-}
-
-void add_force_images_float(
-  const PointForceImages<float>& s, const float* targets, float* velocities)
-{
-  add_sources(s, targets, velocities);
-}
-
-void add_stresslet_images_double(
-  const PointStressletImages<double>& s, const double* targets, double* velocities)
-{
-  add_sources(s, targets, velocities);
-}
-
-void add_stresslet_images_float(
-  const PointStressletImages<float>& s, const float* targets, float* velocities)
-{
-  add_sources(s, targets, velocities);
 }
 
 double dot(const double* a, const double* b, long n)
@@ -628,11 +554,15 @@ double dot(const double* a, const double* b, long n)
   return sum;
 }
 
+template<class Real>
+constexpr PointLoops<Real> point_loops{ add_sources<Real, PointKind::force>,
+  add_sources<Real, PointKind::stresslet>, add_sources<Real, PointKind::force_image>,
+  add_sources<Real, PointKind::stresslet_image> };
+
 constexpr StokesletLoops loops{ add_stokeslets, add_stresslets, multiply_stokeslets,
-  add_stokeslet_moments, add_stresslet_moments, add_stokeslet_image_moments,
-  add_stresslet_image_moments, add_velocities, add_forces_double, add_forces_float,
-  add_stresslets_double, add_stresslets_float, add_force_images_double, add_force_images_float,
-  add_stresslet_images_double, add_stresslet_images_float, dot };
+  { add_moments<PointKind::force>, add_moments<PointKind::stresslet>,
+    add_moments<PointKind::force_image>, add_moments<PointKind::stresslet_image> },
+  add_velocities, point_loops<double>, point_loops<float>, dot };
 
 }
 }

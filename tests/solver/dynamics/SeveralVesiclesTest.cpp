@@ -8,6 +8,7 @@
 #include "solver/membrane/Buoyancy.h"
 #include "solver/membrane/HelfrichBending.h"
 #include "solver/simulation/StartMesh.h"
+#include "tests/solver/dynamics/LayerMethods.h"
 #include "tests/solver/dynamics/SmallestGap.h"
 #include "tests/solver/support/TestMeshes.h"
 
@@ -203,16 +204,7 @@ TEST(SeveralVesicles, MethodsOfTheLayerAgree)
   const TriangleMesh mesh = body(80);
   System system = sheared(mesh);
   system.vesicles[1].viscosity_ratio = 3;
-  const SystemShape shape(system, side_by_side(mesh));
-  const auto velocity = [&](const LayerSettings& layer)
-  {
-    State state;
-    return make_stage_solver(system, layer)->solve(shape, { 0.03, 0.01, {}, 1e-9 }, state).velocity;
-  };
-  const Eigen::VectorXd dense = velocity({ LayerMethod::dense, LayerPrecision::full });
-  for (const LayerMethod method : { LayerMethod::direct, LayerMethod::tree })
-    EXPECT_LT(
-      (velocity({ method, LayerPrecision::mixed, 1e-8 }) - dense).norm(), 1e-7 * dense.norm());
+  test::expect_methods_agree(system, SystemShape(system, side_by_side(mesh)));
 }
 
 TEST(SeveralVesicles, CrossingAtTheStartIsRefused)

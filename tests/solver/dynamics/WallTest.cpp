@@ -10,6 +10,7 @@
 #include "solver/membrane/HelfrichBending.h"
 #include "solver/simulation/History.h"
 #include "solver/simulation/StartMesh.h"
+#include "tests/solver/dynamics/LayerMethods.h"
 #include "tests/solver/support/TestMeshes.h"
 
 #include <gtest/gtest.h>
@@ -119,16 +120,7 @@ TEST(Walls, MethodsOfTheLayerAgree)
 {
   const TriangleMesh mesh = body(80);
   const System system = sheared_over_wall(mesh, 3);
-  const SystemShape shape(system, { lifted(mesh, 1) });
-  const auto velocity = [&](const LayerSettings& layer)
-  {
-    State state;
-    return make_stage_solver(system, layer)->solve(shape, { 0.03, 0.01, {}, 1e-9 }, state).velocity;
-  };
-  const Eigen::VectorXd dense = velocity({ LayerMethod::dense, LayerPrecision::full });
-  for (const LayerMethod method : { LayerMethod::direct, LayerMethod::tree })
-    EXPECT_LT(
-      (velocity({ method, LayerPrecision::mixed, 1e-8 }) - dense).norm(), 1e-7 * dense.norm());
+  test::expect_methods_agree(system, SystemShape(system, { lifted(mesh, 1) }));
 }
 
 TEST(Walls, NoBitDependsOnThreadsOrARestart)

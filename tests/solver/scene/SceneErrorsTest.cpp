@@ -1,8 +1,9 @@
 // Every way of getting a scene wrong: the message has the file, the line, the key, what is wrong
 // and what is allowed.
 
-#include "solver/Errors.h"
 #include "solver/scene/SceneFile.h"
+
+#include "tests/solver/scene/SceneError.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +13,7 @@
 #include <vector>
 
 using namespace vesicle;
+using test::error_of;
 
 namespace
 {
@@ -26,19 +28,6 @@ struct Case
 void PrintTo(const Case& c, std::ostream* out)
 {
   *out << c.name;
-}
-
-std::string error_of(const std::string& toml, const std::vector<std::string>& overrides = {})
-{
-  try
-  {
-    parse_scene(toml, "s.toml", ".", overrides);
-  }
-  catch (const InputError& error)
-  {
-    return error.what();
-  }
-  return "no error";
 }
 
 /// A scene that is right except for what stands in `tables`.

@@ -1,9 +1,10 @@
 // Scenes whose values have units: the same numbers as in SI, and what doesn't fit is refused.
 
-#include "solver/Errors.h"
 #include "solver/scene/Quantity.h"
 #include "solver/scene/SceneFile.h"
 #include "solver/scene/SceneSchema.h"
+
+#include "tests/solver/scene/SceneError.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +13,7 @@
 #include <vector>
 
 using namespace vesicle;
+using test::error_of;
 
 namespace
 {
@@ -39,19 +41,6 @@ history = [["0 s", 1], ["500 ms", 0]]
 end = "1 min"
 output_every = "1 s"
 )";
-
-std::string error_of(const std::string& toml, const std::vector<std::string>& overrides = {})
-{
-  try
-  {
-    parse_scene(toml, "s.toml", ".", overrides);
-  }
-  catch (const InputError& error)
-  {
-    return error.what();
-  }
-  return "no error";
-}
 
 }
 

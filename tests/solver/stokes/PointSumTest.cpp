@@ -2,7 +2,7 @@
 
 #include "solver/stokes/PointSum.h"
 
-#include "solver/stokes/kernels/StokesletLoops.h"
+#include "tests/solver/stokes/InstructionSets.h"
 
 #include <gtest/gtest.h>
 
@@ -56,42 +56,25 @@ TEST(DirectSum, IsTheFormulaInBothPrecisions)
 
 // From 1e-6 to 1e6 apart: what 1/√ is made of has to be good at every exponent.
 template<class Real>
-void expect_loops_give_the_formula(
-  void (*add)(const PointForces<Real>&, const Real*, Real*), double tolerance)
+void expect_loops_give_the_formula(const StokesletLoops& loops, double tolerance)
 {
   for (double distance = 1e-6; distance < 1e7; distance *= 7)
   {
     const RowVectors sources = distance * random_rows(33, 4), forces = random_rows(33, 5);
     const Points at = distance * random_rows(sum_lanes, 6);
-    const Eigen::Array<Real, Eigen::Dynamic, 3> x = sources.array().cast<Real>(),
-                                                f = forces.array().cast<Real>();
-    std::vector<Real> targets(3 * sum_lanes), velocities(3 * sum_lanes);
-    for (int i = 0; i < sum_lanes; ++i)
-      for (int c = 0; c < 3; ++c)
-        targets[c * sum_lanes + i] = static_cast<Real>(at(i, c));
-    add({ { &x(0, 0), &x(0, 1), &x(0, 2) }, { &f(0, 0), &f(0, 1), &f(0, 2) }, 33 }, targets.data(),
-      velocities.data());
-    Points velocity(sum_lanes, 3);
-    for (int i = 0; i < sum_lanes; ++i)
-      for (int c = 0; c < 3; ++c)
-        velocity(i, c) = velocities[c * sum_lanes + i];
-    EXPECT_LT(error(velocity, formula(sources, forces, at)), tolerance) << distance;
+    EXPECT_LT(error(test::velocities_by<Real, PointKind::force>(loops, sources, forces, at),
+                formula(sources, forces, at)),
+      tolerance)
+      << distance;
   }
 }
 
 TEST(StokesletLoops, OfEachInstructionSetGiveTheFormula)
 {
-  std::vector<const StokesletLoops*> all{ &portable_loops() };
-#ifdef VESICLE_X86_LOOPS
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-    all.push_back(&avx2_loops());
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
-    all.push_back(&avx512_loops());
-#endif
-  for (const StokesletLoops* loops : all)
+  for (const StokesletLoops* loops : test::all_loops())
   {
-    expect_loops_give_the_formula<double>(loops->add_forces_double, 1e-13);
-    expect_loops_give_the_formula<float>(loops->add_forces_float, single_precision_error);
+    expect_loops_give_the_formula<double>(*loops, 1e-13);
+    expect_loops_give_the_formula<float>(*loops, single_precision_error);
   }
 }
 

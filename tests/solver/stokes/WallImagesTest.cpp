@@ -8,7 +8,7 @@
 #include "solver/stokes/TreeSum.h"
 #include "solver/stokes/TwoFluidFlow.h"
 #include "solver/stokes/WallImage.h"
-#include "solver/stokes/kernels/StokesletLoops.h"
+#include "tests/solver/stokes/InstructionSets.h"
 #include "tests/solver/stokes/LoopBody.h"
 #include "tests/solver/support/TestMeshes.h"
 
@@ -220,49 +220,28 @@ TEST(WallImage, SumsGiveTheFormula)
   expect_sums_give_the_formula<PointKind::stresslet_image>();
 }
 
-/// A sum of each instruction set, of as many targets as a vector of them has.
 template<class Real, PointKind kind>
-void expect_loop_gives_the_formula(
-  void (*add)(const PointSources<Real, kind>&, const Real*, Real*), double tolerance)
+void expect_loop_gives_the_formula(const StokesletLoops& loops, double tolerance)
 {
   const bool stresslets = kind == PointKind::stresslet_image;
   Sources sources(33);
   sources.position.col(0).array() -= 100;
   const Points at = over_wall(sum_lanes, 5, 0);
-  const Eigen::Array<Real, Eigen::Dynamic, 3> x = sources.position.array().cast<Real>();
-  const Eigen::Array<Real, Eigen::Dynamic, Eigen::Dynamic> f =
-    sources.strengths(stresslets).array().cast<Real>();
-  std::vector<Real> targets(3 * sum_lanes), velocities(3 * sum_lanes);
-  for (int i = 0; i < sum_lanes; ++i)
-    for (int c = 0; c < 3; ++c)
-      targets[c * sum_lanes + i] = static_cast<Real>(at(i, c));
-  PointSources<Real, kind> points{ { &x(0, 0), &x(0, 1), &x(0, 2) }, {}, 33 };
-  for (int c = 0; c < components_of(kind); ++c)
-    points.strength[c] = &f(0, c);
-  add(points, targets.data(), velocities.data());
-  Points velocity(sum_lanes, 3);
-  for (int i = 0; i < sum_lanes; ++i)
-    for (int c = 0; c < 3; ++c)
-      velocity(i, c) = velocities[c * sum_lanes + i];
+  const Points velocity =
+    test::velocities_by<Real, kind>(loops, sources.position, sources.strengths(stresslets), at);
   const Points exact = sources.formula(at, stresslets);
   EXPECT_LT((velocity - exact).norm(), tolerance * exact.norm());
 }
 
 TEST(WallImage, LoopsOfEachInstructionSetGiveTheFormula)
 {
-  std::vector<const StokesletLoops*> all{ &portable_loops() };
-#ifdef VESICLE_X86_LOOPS
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
-    all.push_back(&avx2_loops());
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq"))
-    all.push_back(&avx512_loops());
-#endif
-  for (const StokesletLoops* loops : all)
+  for (const StokesletLoops* loops : test::all_loops())
   {
-    expect_loop_gives_the_formula(loops->add_force_images_double, 1e-13);
-    expect_loop_gives_the_formula(loops->add_force_images_float, single_precision_error);
-    expect_loop_gives_the_formula(loops->add_stresslet_images_double, 1e-13);
-    expect_loop_gives_the_formula(loops->add_stresslet_images_float, single_precision_error);
+    expect_loop_gives_the_formula<double, PointKind::force_image>(*loops, 1e-13);
+    expect_loop_gives_the_formula<float, PointKind::force_image>(*loops, single_precision_error);
+    expect_loop_gives_the_formula<double, PointKind::stresslet_image>(*loops, 1e-13);
+    expect_loop_gives_the_formula<float, PointKind::stresslet_image>(
+      *loops, single_precision_error);
   }
 }
 
