@@ -165,6 +165,10 @@ MovieSettings settings_of(const RenderOptions& options, const Subject& subject)
   if (subject.run.scene)
   {
     picture.guides = scene_guides(*subject.run.scene, View::named(picture.view));
+    if (picture.flow_lines)
+    {
+      picture.field = field_of(*subject.run.scene);
+    }
   }
   return settings;
 }
@@ -367,6 +371,10 @@ int draw(const RenderOptions& options)
   {
     require_ending(options.section, ".png", "--section writes .svg files and pictures");
   }
+  if (options.folder.empty() && options.movie.flow_lines)
+  {
+    throw InputError("--flow-lines are in pictures and films: give a folder for them with -o");
+  }
   if (options.folder.empty() && !options.mp4.empty())
   {
     throw InputError("--mp4 is made of pictures: give a folder for them with -o");
@@ -415,6 +423,8 @@ void add_look_options(CLI::App& command, RenderOptions& options)
     ->capture_default_str();
   command.add_flag("--smooth", movie.smooth, "Show the Loop surface through the points");
   command.add_flag("--arrows", movie.arrows, "Show the flow of lipids along the membrane");
+  command.add_flag("--flow-lines", movie.flow_lines,
+    "Show the flow of the fluid, in the plane through the middle (pictures and films)");
   command.add_flag("--edges", movie.edges, "Show the mesh");
   command.add_option("--chart", movie.chart, "At the side, against time, from the run's table")
     ->check(CLI::IsMember(chart_names))

@@ -8,6 +8,8 @@
 #include "render/RenderBackend.h"
 #include "render/SceneGuides.h"
 #include "solver/Errors.h"
+#include "solver/flow/FlowKind.h"
+#include "vtkfilters/Filters/VelocityFieldFile.h"
 
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -29,6 +31,10 @@ MovieSettings settings_of(
 {
   MovieSettings settings = movie_settings(scene.movie);
   settings.picture.guides = scene_guides(scene, View::named(scene.movie.view));
+  if (scene.movie.flow_lines)
+  {
+    settings.picture.field = field_of(scene);
+  }
   if (scene.movie.chart != "none")
   {
     settings.picture.chart = run_chart(scene.movie.chart, table, scene.units);
@@ -61,9 +67,20 @@ MovieSettings movie_settings(const Scene::Movie& movie)
   settings.picture.view = movie.view;
   settings.picture.smooth = movie.smooth;
   settings.picture.arrows = movie.arrows;
+  settings.picture.flow_lines = movie.flow_lines;
   settings.picture.edges = movie.edges;
   settings.follow = movie.camera == "follow";
   return settings;
+}
+
+std::shared_ptr<const ImposedFlow> field_of(const Scene& scene)
+{
+  if (!scene.flow || !is_from_file(scene.flow->kind()))
+  {
+    return {};
+  }
+  std::string told; // when the run began
+  return imposed_flow(with_velocity_field(scene, told));
 }
 
 void require_color(const Scene& scene, vtkPolyData* surface)

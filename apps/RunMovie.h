@@ -7,6 +7,7 @@
 #include "solver/scene/Scene.h"
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,10 @@ class RunFolder;
 
 /// What a scene's [movie] table asks for, but for what belongs to its run.
 MovieSettings movie_settings(const Scene::Movie& movie);
+
+/// What flow lines take that frames don't hold: the velocity field that the scene's flow names. Empty
+/// where it names none. Throws InputError for one that can't be read.
+std::shared_ptr<const ImposedFlow> field_of(const Scene& scene);
 
 /// Throws InputError listing the arrays unless the scene's movie.color is one of the surface's.
 /// Asked at the start: nobody wants to hear it at the end.

@@ -21,3 +21,8 @@ picture tadpole
 picture tank-treading --color Tension --arrows
 picture capsule
 picture relax-prolate
+
+# The last frame of the pear, with the fluid around it.
+vesicle run "$root/data/scenes/pear.toml" -o "$folder/pear" --set vesicle.triangles=320 --no-movie --no-plots --quiet
+vesicle render "$folder/pear/pear.pvd" -o "$folder/flow" --flow-lines --smooth --size 900x640
+cp "$(ls "$folder"/flow/*.png | tail -1)" "$root/docs/pictures/flow-lines.png"

@@ -1,10 +1,12 @@
 #include "render/Movie.h"
 
 #include "render/Ffmpeg.h"
+#include "render/FlowWays.h"
 #include "render/PngFile.h"
 #include "render/VelocityArrows.h"
 #include "solver/Doing.h"
 #include "solver/Errors.h"
+#include "solver/flow/ImposedFlow.h"
 #include "solver/files/FileBytes.h"
 #include "solver/files/WriteQueue.h"
 #include "vtkfilters/Filters/MeshFiles.h"
@@ -43,7 +45,8 @@ struct FrameSurvey
   Framing framing;
   RangeFinder values;
   double neutral = 0;
-  double speed = 0;
+  double speed = 0;                               ///< of arrows
+  double flow_speed = 0;                          ///< of flow lines
   std::vector<vtkSmartPointer<vtkPolyData>> kept; ///< the first frames
 };
 
@@ -102,6 +105,18 @@ void for_each_frame(int count, const FrameName& name, Work&& work)
   }
 }
 
+/// About what a picture of this frame shows.
+FlowPlane plane_about(vtkPolyData* surface, const MovieSettings& settings)
+{
+  constexpr double room = 1.7;
+  const View view = View::named(settings.picture.view);
+  Framing framing;
+  framing.include(surface, view);
+  const double half = room * framing.radius;
+  return { view, surface_centroid(surface), half, half, settings.follow,
+    flow_at(settings.picture.field, time_of(surface).value_or(0)) };
+}
+
 FrameSurvey survey_frames(
   const FrameSource& frames, int count, const FrameName& name, const MovieSettings& settings)
 {
@@ -121,6 +136,11 @@ FrameSurvey survey_frames(
       if (picture.arrows)
       {
         survey.speed = std::max(survey.speed, VelocityArrows::largest_speed(surface));
+      }
+      if (picture.flow_lines)
+      {
+        survey.flow_speed =
+          std::max(survey.flow_speed, largest_flow_speed(surface, plane_about(surface, settings)));
       }
       if (memory < most_kept)
       {
@@ -266,6 +286,10 @@ MovieReport draw_movie(const FrameSource& frames, int count, const FrameName& na
   picture.set_framing(survey.framing);
   picture.set_neutral(survey.neutral);
   picture.set_least_arrow_speed(least_arrow_speed * survey.speed);
+  if (survey.flow_speed > 0)
+  {
+    picture.set_flow_speed(survey.flow_speed);
+  }
   picture.set_time_format("t = " + number_format(times));
   prepare_folder(settings.directory);
   FilmOrNote film;

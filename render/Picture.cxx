@@ -1,6 +1,7 @@
 #include "render/Picture.h"
 
 #include "render/ColorBar.h"
+#include "render/FlowLines.h"
 #include "render/PngFile.h"
 #include "render/RenderBackend.h"
 #include "render/SideChart.h"
@@ -9,6 +10,7 @@
 #include "render/VelocityArrows.h"
 #include "render/VesicleActor.h"
 #include "solver/Errors.h"
+#include "solver/flow/ImposedFlow.h"
 
 #include "vtkCamera.h"
 #include "vtkDataArray.h"
@@ -34,6 +36,7 @@ namespace
 {
 
 constexpr double margin = 1.27;     // room about the vesicle
+constexpr double flow_margin = 1.7; // that with flow lines
 constexpr int largest_side = 16384; // what llvmpipe draws
 
 constexpr double vesicle_share = 0.63; // of a picture with a chart at its side
@@ -172,23 +175,32 @@ struct Picture::Stage
   void set_up_markers();
   void add_marker(std::unique_ptr<CornerMarker> marker);
   void set_colors(vtkPolyData* surface);
-  void set_texts(std::optional<double> time, std::optional<double> arrow_speed);
+  std::string show_arrows(vtkPolyData* surface, double radius);
+  std::string show_flow(vtkPolyData* surface, bool along, std::optional<double> time);
+  void set_texts(std::optional<double> time, const std::vector<std::string>& notes);
   void set_camera(vtkPolyData* surface, const Framing& framing);
   double font(double size) const { return font_size(size, settings.size[1]); }
   /// Pixels of the vesicle's part of the picture.
   int width() const;
   double aspect() const { return static_cast<double>(width()) / settings.size[1]; }
+  /// What the colour bar leaves of it.
+  double usable_width() const
+  {
+    return settings.color_bar ? 1 - ColorBar::share(width(), settings.size[1]) : 1;
+  }
 
   PictureSettings settings;
   View view;
   std::optional<Framing> framing;
   std::optional<double> neutral;
   double least_arrow_speed = 0;
+  std::optional<double> flow_speed;
   std::string time_format = "t = %.3g";
   ColorScale scale;
 
   ColorBar bar;
   VesicleActor vesicle;
+  FlowLines flow;
   TextColumn texts;
   vtkNew<vtkRenderer> ground; ///< nothing but the background
   vtkNew<vtkRenderer> renderer;
@@ -211,6 +223,7 @@ Picture::Stage::Stage(PictureSettings s)
 {
   render_backend();
   vesicle.add_to(renderer);
+  flow.add_to(renderer);
   add_lamps(renderer);
   if (settings.color_bar)
   {
@@ -218,7 +231,10 @@ Picture::Stage::Stage(PictureSettings s)
   }
   texts.add_to(renderer, font(font::large), true);
   texts.add_to(renderer, font(font::large), false);
-  texts.add_to(renderer, font(font::small), false);
+  for (int note = 0; note < 2; ++note)
+  {
+    texts.add_to(renderer, font(font::small), false);
+  }
   set_up_window();
   set_up_markers();
 }
@@ -274,11 +290,41 @@ void Picture::Stage::set_colors(vtkPolyData* surface)
     settings.color_title.empty() ? array_title(settings.color, vector) : settings.color_title);
 }
 
-void Picture::Stage::set_texts(std::optional<double> time, std::optional<double> arrow_speed)
+/// Says how fast the longest is.
+std::string Picture::Stage::show_arrows(vtkPolyData* surface, double radius)
 {
-  texts.show({ settings.title, time ? formatted(time_format, *time) : "",
-               arrow_speed ? fmt::format("longest arrow: speed {:.2g}", *arrow_speed) : "" },
-    aspect());
+  if (!settings.arrows)
+  {
+    return "";
+  }
+  const double speed = std::max(least_arrow_speed, VelocityArrows::largest_speed(surface));
+  vesicle.show_arrows(surface, speed, VelocityArrows::relative_length * radius);
+  return fmt::format("longest arrow: speed {:.2g}", speed);
+}
+
+/// Says in which time the fluid goes along the lines. What the camera shows is known by now.
+std::string Picture::Stage::show_flow(vtkPolyData* surface, bool along, std::optional<double> time)
+{
+  if (!settings.flow_lines)
+  {
+    return "";
+  }
+  vtkCamera* camera = renderer->GetActiveCamera();
+  FlowPlane plane{ view, {}, 0, camera->GetParallelScale(), along,
+    flow_at(settings.field, time.value_or(0)) };
+  camera->GetFocalPoint(plane.center.data());
+  plane.half_width = usable_width() * aspect() * plane.half_height;
+  const double speed = flow_speed ? *flow_speed : largest_flow_speed(surface, plane);
+  const FlowWays ways = speed > 0 ? flow_ways(surface, plane, speed) : FlowWays{};
+  flow.show(ways, plane);
+  return speed > 0 ? fmt::format("flow lines: the fluid's way in a time of {:.2g}", ways.time) : "";
+}
+
+void Picture::Stage::set_texts(std::optional<double> time, const std::vector<std::string>& notes)
+{
+  std::vector<std::string> all{ settings.title, time ? formatted(time_format, *time) : "" };
+  all.insert(all.end(), notes.begin(), notes.end());
+  texts.show(all, aspect());
 }
 
 void Picture::Stage::set_camera(vtkPolyData* surface, const Framing& room)
@@ -289,10 +335,9 @@ void Picture::Stage::set_camera(vtkPolyData* surface, const Framing& room)
     widened.half_width += VelocityArrows::relative_length * room.radius;
     widened.half_height += VelocityArrows::relative_length * room.radius;
   }
-  const double usable = settings.color_bar ? 1 - ColorBar::share(width(), settings.size[1]) : 1;
   aim_camera(renderer->GetActiveCamera(), view,
-    room.center ? *room.center : surface_centroid(surface), widened, margin, usable, aspect());
-  renderer->ResetCameraClippingRange();
+    room.center ? *room.center : surface_centroid(surface), widened,
+    settings.flow_lines ? flow_margin : margin, usable_width(), aspect());
 }
 
 Picture::Picture(PictureSettings settings) : stage_(std::make_unique<Stage>(std::move(settings))) {}
@@ -319,6 +364,11 @@ void Picture::set_least_arrow_speed(double speed)
   stage_->least_arrow_speed = speed;
 }
 
+void Picture::set_flow_speed(double speed)
+{
+  stage_->flow_speed = speed;
+}
+
 void Picture::set_time_format(const std::string& format)
 {
   stage_->time_format = format;
@@ -338,14 +388,10 @@ void Picture::draw(vtkPolyData* surface, std::optional<double> time)
   }
   s.set_colors(surface);
   s.vesicle.show(surface);
-  std::optional<double> arrow_speed;
-  if (s.settings.arrows)
-  {
-    arrow_speed = std::max(s.least_arrow_speed, VelocityArrows::largest_speed(surface));
-    s.vesicle.show_arrows(surface, *arrow_speed, VelocityArrows::relative_length * room.radius);
-  }
-  s.set_texts(time, arrow_speed);
   s.set_camera(surface, room);
+  const std::string arrows = s.show_arrows(surface, room.radius);
+  s.set_texts(time, { arrows, s.show_flow(surface, !room.center, time) });
+  s.renderer->ResetCameraClippingRange();
   if (s.chart)
   {
     s.chart->show(time ? *time : std::numeric_limits<double>::lowest());

@@ -24,6 +24,8 @@ class vtkRenderer;
 namespace vesicle
 {
 
+struct ImposedFlow;
+
 struct PictureSettings
 {
   std::string color = "Mean_Curvature"; ///< point array; a vector is coloured by its magnitude
@@ -34,7 +36,10 @@ struct PictureSettings
   std::string title;                    ///< top left
   bool smooth = false;                  ///< Loop's limit surface through the vertices
   bool arrows = false;                  ///< the lipid flow, see VelocityArrows
+  bool flow_lines = false;              ///< of the fluid, see FlowWays
   bool edges = false;                   ///< mesh edges
+  /// Of a file, for flow lines: frames don't hold it.
+  std::shared_ptr<const ImposedFlow> field;
   bool color_bar = true;
   bool axes = true;
   std::vector<Guide> guides;      ///< beside the axes
@@ -84,6 +89,9 @@ public:
   /// Each frame's longest arrow is as fast as its fastest point, but no slower than this: what is
   /// slower is drawn shorter. The picture says how fast the longest is.
   void set_least_arrow_speed(double speed);
+  /// Flow lines are as long as the way in the time that this speed takes for the longest; without it
+  /// the speed is the largest of each frame.
+  void set_flow_speed(double speed);
   /// printf format of the time label, e.g. "t = %.2f".
   void set_time_format(const std::string& format);
 

@@ -183,6 +183,7 @@ struct Scene
     std::string camera = "follow"; ///< follow (the vesicle's centroid) or fixed
     bool smooth = false;           ///< Loop's limit surface through the points, for display
     bool arrows = false;           ///< the flow of lipids along the membrane
+    bool flow_lines = false;       ///< the flow of the fluid, in the plane through the middle
     bool edges = false;            ///< mesh edges
     std::string chart = "none";    ///< at the side: none, or one of chart_names against time
   } movie;

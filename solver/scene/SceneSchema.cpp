@@ -526,6 +526,8 @@ SceneTable movie_table()
       "the Loop surface through the points, for display"),
     key("arrows", at(&Scene::movie, &Movie::arrows), rules::Flag{}, "",
       "the flow of lipids along the membrane"),
+    key("flow_lines", at(&Scene::movie, &Movie::flow_lines), rules::Flag{}, "",
+      "the flow of the fluid, in the plane through the middle"),
     key("edges", at(&Scene::movie, &Movie::edges), rules::Flag{}, "", "the mesh"),
     key("chart", at(&Scene::movie, &Movie::chart), rules::Word{ chart_names }, "",
       "a quantity against time, at the side"),

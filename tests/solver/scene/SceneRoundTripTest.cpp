@@ -105,6 +105,7 @@ void expect_same(const Scene& a, const Scene& b)
   EXPECT_EQ(a.movie.size, b.movie.size);
   EXPECT_EQ(a.movie.view, b.movie.view);
   EXPECT_EQ(a.movie.arrows, b.movie.arrows);
+  EXPECT_EQ(a.movie.flow_lines, b.movie.flow_lines);
   EXPECT_EQ(a.movie.edges, b.movie.edges);
   EXPECT_EQ(a.movie.camera, b.movie.camera);
   EXPECT_EQ(a.movie.smooth, b.movie.smooth);
@@ -297,6 +298,7 @@ TEST(SceneRoundTrip, EverySetting)
     camera = "fixed"
     smooth = true
     arrows = true
+    flow_lines = true
     edges = true
     chart = "velocity"
     [output]
