@@ -371,9 +371,10 @@ int draw(const RenderOptions& options)
   {
     require_ending(options.section, ".png", "--section writes .svg files and pictures");
   }
-  if (options.folder.empty() && options.movie.flow_lines)
+  if (options.folder.empty() && (options.movie.flow_lines || options.movie.markers > 0))
   {
-    throw InputError("--flow-lines are in pictures and films: give a folder for them with -o");
+    throw InputError(
+      "--flow-lines and --markers are in pictures and films: give a folder for them with -o");
   }
   if (options.folder.empty() && !options.mp4.empty())
   {
@@ -425,6 +426,11 @@ void add_look_options(CLI::App& command, RenderOptions& options)
   command.add_flag("--arrows", movie.arrows, "Show the flow of lipids along the membrane");
   command.add_flag("--flow-lines", movie.flow_lines,
     "Show the flow of the fluid, in the plane through the middle (pictures and films)");
+  command
+    .add_option("--markers", movie.markers,
+      "Dots on each vesicle that the membrane carries along (pictures and films)")
+    ->check(CLI::Range(0, 1000))
+    ->capture_default_str();
   command.add_flag("--edges", movie.edges, "Show the mesh");
   command.add_option("--chart", movie.chart, "At the side, against time, from the run's table")
     ->check(CLI::IsMember(chart_names))

@@ -69,6 +69,7 @@ MovieSettings movie_settings(const Scene::Movie& movie)
   settings.picture.arrows = movie.arrows;
   settings.picture.flow_lines = movie.flow_lines;
   settings.picture.edges = movie.edges;
+  settings.markers = movie.markers;
   settings.follow = movie.camera == "follow";
   return settings;
 }

@@ -2,6 +2,7 @@
 
 #include "render/Ffmpeg.h"
 #include "render/FlowWays.h"
+#include "render/MembraneMarkers.h"
 #include "render/PngFile.h"
 #include "render/VelocityArrows.h"
 #include "solver/Doing.h"
@@ -47,6 +48,7 @@ struct FrameSurvey
   double neutral = 0;
   double speed = 0;                               ///< of arrows
   double flow_speed = 0;                          ///< of flow lines
+  std::vector<std::vector<Point3>> markers;       ///< of each frame, if there are any
   std::vector<vtkSmartPointer<vtkPolyData>> kept; ///< the first frames
 };
 
@@ -117,12 +119,23 @@ FlowPlane plane_about(vtkPolyData* surface, const MovieSettings& settings)
     flow_at(settings.picture.field, time_of(surface).value_or(0)) };
 }
 
+double time_for_markers(vtkPolyData* surface)
+{
+  const auto time = time_of(surface);
+  if (!time)
+  {
+    throw InputError("markers take frames that know their time (field data TimeValue)");
+  }
+  return *time;
+}
+
 FrameSurvey survey_frames(
   const FrameSource& frames, int count, const FrameName& name, const MovieSettings& settings)
 {
   FrameSurvey survey;
   unsigned long memory = 0;
   Passage passage;
+  MembraneMarkers markers(settings.markers);
   const PictureSettings& picture = settings.picture;
   const View view = View::named(picture.view);
   for_each_frame(count, name,
@@ -141,6 +154,10 @@ FrameSurvey survey_frames(
       {
         survey.flow_speed =
           std::max(survey.flow_speed, largest_flow_speed(surface, plane_about(surface, settings)));
+      }
+      if (settings.markers > 0)
+      {
+        survey.markers.push_back(markers.at(surface, time_for_markers(surface)));
       }
       if (memory < most_kept)
       {
@@ -214,7 +231,8 @@ FilmOrNote start_film(const MovieSettings& settings, FrameRate rate)
 
 /// While a picture is drawn, the surface of the next is fetched and those before are written.
 void draw_frames(Picture& picture, const FrameSource& frames, int count, const FrameName& name,
-  const std::vector<double>& times, const MovieSettings& settings, Film* film)
+  const std::vector<double>& times, std::vector<std::vector<Point3>> markers,
+  const MovieSettings& settings, Film* film)
 {
   const auto fetch = [&frames](int i)
   { return std::async(std::launch::async, [&frames, i] { return frame_of(frames, i); }); };
@@ -235,6 +253,10 @@ void draw_frames(Picture& picture, const FrameSource& frames, int count, const F
       if (i + 1 < count)
       {
         next = fetch(i + 1);
+      }
+      if (!markers.empty())
+      {
+        picture.set_markers(std::move(markers[static_cast<std::size_t>(i)]));
       }
       picture.draw(
         surface, times.empty() ? std::nullopt : std::optional(times[static_cast<std::size_t>(i)]));
@@ -303,7 +325,7 @@ MovieReport draw_movie(const FrameSource& frames, int count, const FrameName& na
     return k < survey.kept.size() ? std::exchange(survey.kept[k], nullptr) : frames(i);
   };
   draw_frames(picture, kept_or_asked_for, count, name, timed ? times : std::vector<double>{},
-    settings, film.film.get());
+    std::move(survey.markers), settings, film.film.get());
   MovieReport report;
   report.frames = count;
   report.color_range = range;

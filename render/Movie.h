@@ -23,6 +23,7 @@ using FrameSource = std::function<vtkSmartPointer<vtkPolyData>(int)>;
 struct MovieSettings
 {
   PictureSettings picture;         ///< without a range: that of the whole movie, but for outliers
+  int markers = 0;                 ///< on each vesicle, that its flow carries; see MembraneMarkers
   bool follow = true;              ///< the camera goes with the centroid; false: it stays
   std::filesystem::path directory; ///< of the pictures frame_000000.png, …; made where needed
   std::optional<std::filesystem::path> mp4; ///< the film; empty: pictures only

@@ -2,6 +2,7 @@
 
 #include "render/ColorBar.h"
 #include "render/FlowLines.h"
+#include "render/MarkerDots.h"
 #include "render/PngFile.h"
 #include "render/RenderBackend.h"
 #include "render/SideChart.h"
@@ -195,12 +196,14 @@ struct Picture::Stage
   std::optional<double> neutral;
   double least_arrow_speed = 0;
   std::optional<double> flow_speed;
+  std::vector<Point3> marked;
   std::string time_format = "t = %.3g";
   ColorScale scale;
 
   ColorBar bar;
   VesicleActor vesicle;
   FlowLines flow;
+  MarkerDots dots;
   TextColumn texts;
   vtkNew<vtkRenderer> ground; ///< nothing but the background
   vtkNew<vtkRenderer> renderer;
@@ -224,6 +227,7 @@ Picture::Stage::Stage(PictureSettings s)
   render_backend();
   vesicle.add_to(renderer);
   flow.add_to(renderer);
+  dots.add_to(renderer);
   add_lamps(renderer);
   if (settings.color_bar)
   {
@@ -369,6 +373,11 @@ void Picture::set_flow_speed(double speed)
   stage_->flow_speed = speed;
 }
 
+void Picture::set_markers(std::vector<Point3> places)
+{
+  stage_->marked = std::move(places);
+}
+
 void Picture::set_time_format(const std::string& format)
 {
   stage_->time_format = format;
@@ -388,6 +397,7 @@ void Picture::draw(vtkPolyData* surface, std::optional<double> time)
   }
   s.set_colors(surface);
   s.vesicle.show(surface);
+  s.dots.show(s.marked, room.radius);
   s.set_camera(surface, room);
   const std::string arrows = s.show_arrows(surface, room.radius);
   s.set_texts(time, { arrows, s.show_flow(surface, !room.center, time) });

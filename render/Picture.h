@@ -92,6 +92,8 @@ public:
   /// Flow lines are as long as the way in the time that this speed takes for the longest; without it
   /// the speed is the largest of each frame.
   void set_flow_speed(double speed);
+  /// Dots on the membrane from the next frame on, see MembraneMarkers; none: none.
+  void set_markers(std::vector<Point3> places);
   /// printf format of the time label, e.g. "t = %.2f".
   void set_time_format(const std::string& format);
 

@@ -10,6 +10,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkDataArray.h"
+#include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -18,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vesicle
 {
@@ -209,6 +211,28 @@ vtkDataArray* finite_point_array(vtkPolyData* surface, const std::string& name)
     }
   }
   return array;
+}
+
+std::vector<long long> spread_points(vtkPolyData* surface, int count)
+{
+  const vtkIdType all = surface->GetNumberOfPoints();
+  std::vector<double> distance2(all, std::numeric_limits<double>::max());
+  std::vector<long long> chosen;
+  vtkIdType next = 0;
+  while (static_cast<vtkIdType>(chosen.size()) < std::min<vtkIdType>(count, all))
+  {
+    chosen.push_back(next);
+    Point3 last;
+    surface->GetPoint(next, last.data());
+    for (vtkIdType i = 0; i < all; ++i)
+    {
+      Point3 p;
+      surface->GetPoint(i, p.data());
+      distance2[i] = std::min(distance2[i], vtkMath::Distance2BetweenPoints(p.data(), last.data()));
+    }
+    next = std::max_element(distance2.begin(), distance2.end()) - distance2.begin();
+  }
+  return chosen;
 }
 
 double scalar_value(vtkDataArray* array, long long point)

@@ -10,14 +10,13 @@
 #include "vtkProperty.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace vesicle
 {
 namespace
 {
 
-constexpr vtkIdType arrow_count = 160;
+constexpr int arrow_count = 160;
 constexpr const char* array_name = "Velocity";
 
 /// Arrows shorter than this share of the longest are left out: they'd be dots.
@@ -78,37 +77,14 @@ VelocityArrows::VelocityArrows()
   actor_->GetProperty()->SetDiffuse(0.7);
 }
 
-void VelocityArrows::choose_points(vtkPolyData* surface)
-{
-  // Each next point is the one farthest from all before: even on any mesh.
-  const vtkIdType count = surface->GetNumberOfPoints();
-  std::vector<double> distance2(count, std::numeric_limits<double>::max());
-  points_.clear();
-  mesh_points_ = count;
-  vtkIdType next = 0;
-  for (vtkIdType k = 0; k < std::min(arrow_count, count); ++k)
-  {
-    points_.push_back(next);
-    Point3 chosen;
-    surface->GetPoint(next, chosen.data());
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      Point3 p;
-      surface->GetPoint(i, p.data());
-      distance2[i] =
-        std::min(distance2[i], vtkMath::Distance2BetweenPoints(p.data(), chosen.data()));
-    }
-    next = std::max_element(distance2.begin(), distance2.end()) - distance2.begin();
-  }
-}
-
 void VelocityArrows::show(vtkPolyData* surface, double speed, double length)
 {
   const auto normals = point_normals(surface);
   const auto flow = lipid_flow(surface, normals);
   if (mesh_points_ != surface->GetNumberOfPoints())
   {
-    choose_points(surface);
+    points_ = spread_points(surface, arrow_count);
+    mesh_points_ = surface->GetNumberOfPoints();
   }
   vtkNew<vtkPoints> points;
   vtkNew<vtkDoubleArray> vectors;

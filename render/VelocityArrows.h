@@ -33,8 +33,6 @@ public:
   static double largest_speed(vtkPolyData* surface);
 
 private:
-  void choose_points(vtkPolyData* surface);
-
   std::vector<long long> points_; ///< kept while the mesh stays the same, so that arrows don't jump
   vtkIdType mesh_points_ = 0;
   vtkNew<vtkPolyData> feet_;

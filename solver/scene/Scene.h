@@ -184,6 +184,7 @@ struct Scene
     bool smooth = false;           ///< Loop's limit surface through the points, for display
     bool arrows = false;           ///< the flow of lipids along the membrane
     bool flow_lines = false;       ///< the flow of the fluid, in the plane through the middle
+    int markers = 0;               ///< dots on each vesicle that the membrane carries along
     bool edges = false;            ///< mesh edges
     std::string chart = "none";    ///< at the side: none, or one of chart_names against time
   } movie;

@@ -15,6 +15,8 @@ constexpr NumberRule below_one{ [](double x) { return x > 0 && x < 1; }, "a numb
 constexpr IntegerRule quadrature_points{
   [](int n) { return n == 1 || n == 3 || n == 6 || n == 12; }, "1, 3, 6, 12"
 };
+constexpr IntegerRule marker_count{ [](int n) { return n >= 0 && n <= 1000; },
+  "an integer from 0 to 1000" };
 constexpr IntegerRule pixels{ [](int n) { return n >= 16 && n <= 16384; },
   "an integer from 16 to 16384" };
 
@@ -528,6 +530,8 @@ SceneTable movie_table()
       "the flow of lipids along the membrane"),
     key("flow_lines", at(&Scene::movie, &Movie::flow_lines), rules::Flag{}, "",
       "the flow of the fluid, in the plane through the middle"),
+    key("markers", at(&Scene::movie, &Movie::markers), rules::Integer{ marker_count }, "",
+      "dots on each vesicle that the membrane carries along"),
     key("edges", at(&Scene::movie, &Movie::edges), rules::Flag{}, "", "the mesh"),
     key("chart", at(&Scene::movie, &Movie::chart), rules::Word{ chart_names }, "",
       "a quantity against time, at the side"),

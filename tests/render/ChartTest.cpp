@@ -6,8 +6,6 @@
 #include "solver/Errors.h"
 #include "vtkfilters/Filters/VtkMessages.h"
 
-#include "vtkPNGReader.h"
-
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -38,10 +36,7 @@ vtkSmartPointer<vtkImageData> drawn(const ChartSpec& chart)
 {
   const TemporaryFolder folder;
   write_chart(folder / "chart.png", chart, { 640, 360 });
-  vtkNew<vtkPNGReader> reader;
-  reader->SetFileName((folder / "chart.png").c_str());
-  reader->Update();
-  return reader->GetOutput();
+  return read_png(folder / "chart.png");
 }
 
 }

@@ -8,7 +8,6 @@
 #include "vtkfilters/Filters/MeshConversion.h"
 
 #include "vtkAppendPolyData.h"
-#include "vtkPNGReader.h"
 
 #include <gtest/gtest.h>
 
@@ -79,10 +78,7 @@ TEST(CrossSection, UnitsAreEqualOnBothAxes)
   ChartSpec chart = section_chart({ { 0, sphere } }, View::named("front"), true);
   chart.lines[0].color = { 255, 0, 0 };
   write_chart(folder / "circle.png", chart, { 900, 500 });
-  vtkNew<vtkPNGReader> reader;
-  reader->SetFileName((folder / "circle.png").c_str());
-  reader->Update();
-  vtkImageData* image = reader->GetOutput();
+  const auto image = read_png(folder / "circle.png");
   std::array<int, 4> box{ 10000, -1, 10000, -1 };
   for (int y = 0; y < 500; ++y)
     for (int x = 0; x < 900; ++x)

@@ -5,8 +5,6 @@
 #include "render/Montage.h"
 #include "solver/Errors.h"
 
-#include "vtkPNGReader.h"
-
 #include <gtest/gtest.h>
 
 using namespace vesicle;
@@ -26,10 +24,7 @@ vtkSmartPointer<vtkImageData> drawn(int panels, const MontageSettings& settings)
     times.push_back(0.5 * i);
   }
   write_montage(folder / "figure.png", surfaces, times, settings);
-  vtkNew<vtkPNGReader> reader;
-  reader->SetFileName((folder / "figure.png").c_str());
-  reader->Update();
-  return reader->GetOutput();
+  return read_png(folder / "figure.png");
 }
 
 /// How often a row of pixels goes from white to something else, and where first and last.

@@ -6,7 +6,6 @@
 #include "render/Movie.h"
 #include "solver/Errors.h"
 
-#include "vtkPNGReader.h"
 #include "vtkXMLPolyDataWriter.h"
 
 #include <cstdio>
@@ -34,14 +33,6 @@ MovieSettings small_movie(const fs::path& folder)
   settings.picture.size = { 320, 180 };
   settings.directory = folder;
   return settings;
-}
-
-vtkSmartPointer<vtkImageData> read_png(const fs::path& file)
-{
-  vtkNew<vtkPNGReader> reader;
-  reader->SetFileName(file.c_str());
-  reader->Update();
-  return reader->GetOutput();
 }
 
 std::string output_of(const std::string& command)

@@ -7,6 +7,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPNGReader.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -15,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <set>
 #include <unistd.h>
 
@@ -57,6 +59,14 @@ inline vtkSmartPointer<vtkPolyData> make_surface(double shift = 0, double streng
   surface->GetPointData()->AddArray(tension);
   surface->GetPointData()->AddArray(velocity);
   return surface;
+}
+
+inline vtkSmartPointer<vtkImageData> read_png(const std::filesystem::path& file)
+{
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  return reader->GetOutput();
 }
 
 using Rgb = std::array<int, 3>;

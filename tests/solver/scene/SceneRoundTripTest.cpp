@@ -106,6 +106,7 @@ void expect_same(const Scene& a, const Scene& b)
   EXPECT_EQ(a.movie.view, b.movie.view);
   EXPECT_EQ(a.movie.arrows, b.movie.arrows);
   EXPECT_EQ(a.movie.flow_lines, b.movie.flow_lines);
+  EXPECT_EQ(a.movie.markers, b.movie.markers);
   EXPECT_EQ(a.movie.edges, b.movie.edges);
   EXPECT_EQ(a.movie.camera, b.movie.camera);
   EXPECT_EQ(a.movie.smooth, b.movie.smooth);
@@ -299,6 +300,7 @@ TEST(SceneRoundTrip, EverySetting)
     smooth = true
     arrows = true
     flow_lines = true
+    markers = 40
     edges = true
     chart = "velocity"
     [output]
