@@ -118,6 +118,38 @@ TEST(ForceFilter, RisingSphere)
   }
 }
 
+// A sphere whose lengths have grown by λ has the tension T of either law (D. Barthès-Biesel et al.,
+// J. Fluid Mech. 460 (2002) 211) and so the force −2 T/R n.
+TEST(ForceFilter, ElasticSheetOfASphere)
+{
+  const double radius = 2, modulus = 3, dilation = 4, stretch = 1.1;
+  const double neo_hookean = modulus * (1 - std::pow(stretch, -6)),
+               skalak = modulus *
+    (stretch * stretch - 1 + dilation * stretch * stretch * (std::pow(stretch, 4) - 1));
+  vtkNew<vtkVesicleForceFilter> filter;
+  filter->SetBendingRigidity(0);
+  filter->SetShearModulus(modulus);
+  filter->SetDilationModulus(dilation);
+  filter->SetPrestretch(stretch);
+  for (const auto& [law, tension] : { std::pair(vtkVesicleForceFilter::NeoHookean, neo_hookean),
+         std::pair(vtkVesicleForceFilter::Skalak, skalak) })
+  {
+    filter->SetElasticity(law);
+    const auto error = [&](int triangles)
+    {
+      filter->SetInputData(sphere(radius, triangles));
+      filter->Update();
+      const Points force = array(filter->GetOutput(), "Elastic_Force"),
+                   normal = array(filter->GetOutput(), "Normals");
+      const double pressure = 2 * tension / radius;
+      return (force + pressure * normal).norm() / normal.norm() / pressure;
+    };
+    const double coarse = error(320), fine = error(1280);
+    EXPECT_LT(fine, 5e-3); // that of the curvature of Loop's surface, the same for both laws
+    EXPECT_LT(fine, coarse / 2);
+  }
+}
+
 TEST(ForceFilter, FlowsMoveABareSurface)
 {
   const auto input = prolate();
@@ -341,6 +373,22 @@ TEST(ForceFilter, ImpossibleSettingsAreErrors)
   filter->SetViscosity(0);
   filter->Update();
   EXPECT_NE(messages.first_error().find("Viscosity"), std::string::npos);
+}
+
+TEST(ForceFilter, AnElasticSheetTakesLoopsSurfaceAndALength)
+{
+  for (const bool flat : { true, false })
+  {
+    const VtkMessages messages;
+    vtkNew<vtkVesicleForceFilter> filter;
+    filter->SetInputData(sphere());
+    filter->SetShearModulus(1);
+    filter->SetPreset(flat ? vtkVesicleForceFilter::Fast : vtkVesicleForceFilter::Balanced);
+    filter->SetPrestretch(flat ? 1 : 0);
+    filter->Update();
+    EXPECT_NE(messages.first_error().find(flat ? "ShearModulus" : "Prestretch"), std::string::npos)
+      << messages.first_error();
+  }
 }
 
 TEST(ForceFilter, VtkSphereSourceIsTaken)

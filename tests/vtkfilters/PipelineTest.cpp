@@ -118,10 +118,11 @@ void expect_printed(vtkObject* object, std::initializer_list<const char*> names)
   }
 }
 
-const auto scene_properties = { "BendingRigidity", "Incompressible", "SurfaceViscosity",
-  "Viscosity", "ViscosityRatio", "FlowKind", "FlowRate", "FlowVelocity", "FlowRadius", "FlowCenter",
-  "FlowAxis", "FlowType", "FlowFile", "Wall", "WallPoint", "WallNormal", "BondNumber",
-  "DensityDifference", "Acceleration", "Preset" };
+const auto scene_properties = { "BendingRigidity", "Incompressible", "ShearModulus", "Elasticity",
+  "DilationModulus", "Reference", "Prestretch", "SurfaceViscosity", "Viscosity", "ViscosityRatio",
+  "FlowKind", "FlowRate", "FlowVelocity", "FlowRadius", "FlowCenter", "FlowAxis", "FlowType",
+  "FlowFile", "Wall", "WallPoint", "WallNormal", "BondNumber", "DensityDifference", "Acceleration",
+  "Preset" };
 
 }
 

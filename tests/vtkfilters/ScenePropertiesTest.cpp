@@ -119,16 +119,19 @@ protected:
 
 TEST_F(ParaViewProperties, OfferEveryChoice)
 {
-  std::vector<std::string> flows{ "At rest" }, presets, shapes;
+  std::vector<std::string> flows{ "At rest" }, presets, shapes, laws;
   for (const FlowKind* kind : flow_kinds())
     flows.push_back(capitalised(kind->title));
   for (const auto& preset : preset_names)
     presets.push_back(capitalised(std::string(preset.name)));
+  for (const auto& law : elasticity_names)
+    laws.push_back(capitalised(std::string(law.name)));
   for (const auto kind : shape_kinds)
     shapes.push_back(capitalised(shape_name(kind)));
   EXPECT_EQ(entries("FlowKind"), flows);
   EXPECT_EQ(entries("Preset"), presets);
   EXPECT_EQ(entries("Shape"), shapes);
+  EXPECT_EQ(entries("Elasticity"), laws);
 }
 
 // A range ends where the key's does: what is below or above it no scene may have.
@@ -137,6 +140,8 @@ TEST_F(ParaViewProperties, HaveTheRangesOfTheirKeys)
   const std::map<std::string, const SceneKey*> keys{ { "BendingRigidity",
                                                        &scene_key("membrane", "bending_rigidity") },
     { "SurfaceViscosity", &scene_key("membrane", "surface_viscosity") },
+    { "DilationModulus", &scene_key("membrane", "dilation_modulus") },
+    { "Prestretch", &scene_key("membrane", "prestretch") },
     { "Viscosity", &scene_key("fluid", "viscosity") },
     { "ViscosityRatio", &scene_key("fluid", "viscosity_ratio") },
     { "FlowRate", &scene_key("flow", "rate") }, { "FlowRadius", &scene_key("flow", "radius") },

@@ -366,6 +366,30 @@ TEST(Stepper, TakesItsSceneFromText)
   EXPECT_EQ(points_at(by_text, 0.25), points_at(by_scene, 0.25));
 }
 
+TEST(Stepper, AnElasticSheetOfPropertiesMovesAsThatOfAScene)
+{
+  vtkNew<vtkVesicleSource> shape;
+  shape->SetShape(vtkVesicleSource::Prolate);
+  shape->SetReducedVolume(0.95);
+  shape->SetTriangles(80);
+  vtkNew<vtkVesicleStepper> stepper, by_scene;
+  stepper->SetInputConnection(shape->GetOutputPort());
+  stepper->SetIncompressible(false);
+  stepper->SetShearModulus(4);
+  stepper->SetElasticity(vtkVesicleStepper::Skalak);
+  stepper->SetDilationModulus(2);
+  stepper->SetReference(vtkVesicleStepper::SphereReference);
+  stepper->SetPrestretch(1.05);
+  stepper->SetFlowKind(vtkVesicleStepper::Shear);
+  stepper->SetEndTime(0.25);
+  stepper->SetOutputEvery(0.25);
+  by_scene->SetScene(scene({ "membrane.incompressible=false", "membrane.shear_modulus=4",
+    "membrane.elasticity='skalak'", "membrane.dilation_modulus=2", "membrane.reference='sphere'",
+    "membrane.prestretch=1.05", "accuracy.mesh_motion='material'", "time.end=0.25" }));
+  by_scene->SetInputConnection(shape->GetOutputPort());
+  EXPECT_EQ(points_at(stepper, 0.25), points_at(by_scene, 0.25));
+}
+
 TEST(Stepper, PropertiesAloneMakeAScene)
 {
   vtkNew<vtkVesicleSource> shape;

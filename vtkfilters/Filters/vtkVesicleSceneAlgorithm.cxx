@@ -62,6 +62,10 @@ Scene vtkVesicleSceneAlgorithm::MakeScene()
     }
   }
   scene.membrane.incompressible = this->Incompressible;
+  if (this->ShearModulus != 0)
+  {
+    this->MakeElastic(scene);
+  }
   scene.fluid.viscosity = this->Viscosity;
   scene.fluid.viscosity_ratio = this->ViscosityRatio;
   require(this->ViscosityRatio == 1 || scene.accuracy.basis == Scene::Basis::loop,
@@ -86,6 +90,25 @@ Scene vtkVesicleSceneAlgorithm::MakeScene()
     scene.gravity = { {}, this->DensityDifference, this->Acceleration };
   }
   return scene;
+}
+
+void vtkVesicleSceneAlgorithm::MakeElastic(vesicle::Scene& scene) const
+{
+  const auto allows = [](const char* key, double value)
+  { return vesicle::scene_key("membrane", key).allows(value); };
+  require(allows("shear_modulus", this->ShearModulus), "ShearModulus must be 0 or more");
+  require(allows("dilation_modulus", this->DilationModulus), "DilationModulus must be above 0");
+  require(allows("prestretch", this->Prestretch), "Prestretch must be above 0");
+  require(scene.accuracy.basis == Scene::Basis::loop,
+    "a ShearModulus above 0 takes the preset balanced or accurate");
+  Scene::Membrane& membrane = scene.membrane;
+  membrane.shear_modulus = this->ShearModulus;
+  membrane.elasticity = vesicle::elasticity_names[this->Elasticity].choice; // in the same order
+  membrane.dilation_modulus = this->DilationModulus;
+  membrane.reference = this->Reference == SphereReference ? Scene::Membrane::Reference::sphere
+                                                          : Scene::Membrane::Reference::start;
+  membrane.prestretch = this->Prestretch;
+  scene.accuracy.mesh_motion = Scene::MeshMotion::material;
 }
 
 std::shared_ptr<const vesicle::ImposedFlow> vtkVesicleSceneAlgorithm::MakeFlow()
@@ -115,6 +138,12 @@ void vtkVesicleSceneAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AreaDifferenceStiffness: " << this->AreaDifferenceStiffness << '\n';
   os << indent << "AreaDifference: " << this->AreaDifference << '\n';
   os << indent << "Incompressible: " << (this->Incompressible ? "on" : "off") << '\n';
+  os << indent << "ShearModulus: " << this->ShearModulus << '\n';
+  os << indent << "Elasticity: " << vesicle::elasticity_names[this->Elasticity].name << '\n';
+  os << indent << "DilationModulus: " << this->DilationModulus << '\n';
+  os << indent << "Reference: " << (this->Reference == SphereReference ? "sphere" : "start")
+     << '\n';
+  os << indent << "Prestretch: " << this->Prestretch << '\n';
   os << indent << "SurfaceViscosity: " << this->SurfaceViscosity << '\n';
   os << indent << "Viscosity: " << this->Viscosity << '\n';
   os << indent << "ViscosityRatio: " << this->ViscosityRatio << '\n';

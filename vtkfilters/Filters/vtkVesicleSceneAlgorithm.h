@@ -46,6 +46,18 @@ public:
     VelocityField          ///< u of FlowFile
   };
 
+  enum ElasticLaws
+  {
+    NeoHookean = 0,
+    Skalak
+  };
+
+  enum References
+  {
+    StartReference = 0,
+    SphereReference
+  };
+
   enum Presets
   {
     Paper,    ///< flat elements, forces as the paper prints them (misprints corrected)
@@ -94,6 +106,49 @@ public:
   vtkSetMacro(Incompressible, bool);
   vtkGetMacro(Incompressible, bool);
   vtkBooleanMacro(Incompressible, bool);
+  ///@}
+
+  ///@{
+  /**
+   * G of an elastic sheet, a force a length, 0 or more; 0: a fluid membrane. Above 0 with the presets
+   * balanced and accurate only, and points then stay with the material. Default: 0.
+   */
+  vtkSetMacro(ShearModulus, double);
+  vtkGetMacro(ShearModulus, double);
+  ///@}
+
+  ///@{
+  /**
+   * The law of the sheet, one of ElasticLaws: NeoHookean or Skalak. Default: NeoHookean.
+   */
+  vtkSetClampMacro(Elasticity, int, NeoHookean, Skalak);
+  vtkGetMacro(Elasticity, int);
+  ///@}
+
+  ///@{
+  /**
+   * C of Skalak's law, in ShearModulus, above 0. Default: 1.
+   */
+  vtkSetMacro(DilationModulus, double);
+  vtkGetMacro(DilationModulus, double);
+  ///@}
+
+  ///@{
+  /**
+   * The sheet's shape without stress, one of References: the input's own (StartReference), or a sphere
+   * on which each of its patches has its area (SphereReference). Default: StartReference.
+   */
+  vtkSetClampMacro(Reference, int, StartReference, SphereReference);
+  vtkGetMacro(Reference, int);
+  ///@}
+
+  ///@{
+  /**
+   * Lengths of the input over those without stress, beside what the reference differs by, above 0.
+   * Default: 1.
+   */
+  vtkSetMacro(Prestretch, double);
+  vtkGetMacro(Prestretch, double);
   ///@}
 
   ///@{
@@ -266,6 +321,11 @@ protected:
   double AreaDifferenceStiffness = 0;
   double AreaDifference = 1;
   bool Incompressible = true;
+  double ShearModulus = 0;
+  int Elasticity = NeoHookean;
+  double DilationModulus = 1;
+  int Reference = StartReference;
+  double Prestretch = 1;
   double SurfaceViscosity = 0;
   double Viscosity = 1;
   double ViscosityRatio = 1;
@@ -288,6 +348,7 @@ protected:
 private:
 #ifndef __VTK_WRAP__
   std::shared_ptr<const vesicle::ImposedFlow> MakeFlow();
+  void MakeElastic(vesicle::Scene& scene) const;
 #endif
 
   vtkVesicleSceneAlgorithm(const vtkVesicleSceneAlgorithm&) = delete;
