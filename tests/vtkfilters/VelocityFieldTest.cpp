@@ -12,6 +12,7 @@
 #include "solver/files/FileBytes.h"
 #include "solver/scene/SceneFile.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSetTriangleFilter.h"
 #include "vtkDataSetWriter.h"
@@ -269,6 +270,102 @@ TEST(VelocityField, RefusesWhatIsNone)
   bad->GetPointData()->GetArray(0)->SetComponent(7, 1, std::nan(""));
   EXPECT_NE(refusal(written<vtkXMLImageDataWriter>(bad, folder.path() / "nan.vti")).find("point 7"),
     std::string::npos);
+}
+
+// By the second input.
+vtkNew<vtkVesicleSource> prolate()
+{
+  vtkNew<vtkVesicleSource> shape;
+  shape->SetShape(vtkVesicleSource::Prolate);
+  shape->SetReducedVolume(0.9);
+  shape->SetTriangles(80);
+  return shape;
+}
+
+Points points_of(vtkPolyData* surface)
+{
+  return to_mesh(surface).points;
+}
+
+TEST(VelocityField, OfAPipelineIsThatOfThePropertiesToo)
+{
+  const auto shape = prolate();
+  vtkNew<vtkVesicleStepper> in_shear, in_field;
+  for (auto* stepper : { in_shear.Get(), in_field.Get() })
+  {
+    stepper->SetInputConnection(shape->GetOutputPort());
+    stepper->SetEndTime(0.2);
+    stepper->SetOutputEvery(0.1);
+  }
+  in_shear->SetFlowKind(vtkVesicleStepper::Shear);
+  in_shear->SetFlowRate(2);
+  const auto box = image(shear);
+  in_field->SetVelocityFieldData(box);
+  in_shear->UpdateTimeStep(0.2);
+  in_field->UpdateTimeStep(0.2);
+  const Points exact = points_of(in_shear->GetOutput());
+  EXPECT_LT(largest_difference(points_of(in_field->GetOutput()), exact), solved);
+
+  // Another field, and none, are other simulations.
+  in_field->SetVelocityFieldData(image([](const Vector3& x) -> Vector3 { return -shear(x); }));
+  in_field->UpdateTimeStep(0.2);
+  EXPECT_GT(largest_difference(points_of(in_field->GetOutput()), exact), 0.01);
+  in_field->SetVelocityFieldData(nullptr);
+  in_field->UpdateTimeStep(0.2);
+  in_shear->SetFlowKind(vtkVesicleStepper::AtRest);
+  in_shear->UpdateTimeStep(0.2);
+  EXPECT_EQ(points_of(in_field->GetOutput()), points_of(in_shear->GetOutput()));
+}
+
+TEST(VelocityField, OfAPipelineMovesForces)
+{
+  const auto shape = prolate();
+  vtkNew<vtkVesicleForceFilter> filter;
+  filter->SetInputConnection(shape->GetOutputPort());
+  filter->SetBendingRigidity(0);
+  filter->SetIncompressible(false);
+  const auto box = image([](const Vector3&) { return Vector3(1, 2, 3); });
+  filter->SetVelocityFieldData(box);
+  filter->Update();
+  vtkDataArray* velocity = filter->GetOutput()->GetPointData()->GetArray("Velocity");
+  for (vtkIdType i = 0; i < velocity->GetNumberOfTuples(); ++i)
+    EXPECT_LT((Vector3(velocity->GetTuple3(i)) - Vector3(1, 2, 3)).norm(), 1e-9);
+  EXPECT_EQ(filter->GetVelocityField(), box.Get());
+}
+
+TEST(VelocityField, OfAPipelineThatCanNotBeFollowedIsRefused)
+{
+  const auto shape = prolate();
+  const auto message = [&](vtkDataObject* field, int kind)
+  {
+    const VtkMessages messages;
+    vtkNew<vtkVesicleForceFilter> filter;
+    filter->SetInputConnection(shape->GetOutputPort());
+    filter->SetFlowKind(kind);
+    filter->SetVelocityFieldData(field);
+    filter->Update();
+    return messages.first_error();
+  };
+  const auto expect = [](const std::string& found, const char* words)
+  { EXPECT_NE(found.find(words), std::string::npos) << found; };
+  expect(message(image(shear), vtkVesicleForceFilter::Shear), "choose one");
+  const auto bare = image(shear);
+  bare->GetPointData()->Initialize();
+  expect(message(bare, vtkVesicleForceFilter::AtRest), "which of its arrays");
+  const auto short_array = image(shear);
+  short_array->GetPointData()->GetArray("U")->SetNumberOfTuples(5);
+  expect(message(short_array, vtkVesicleForceFilter::AtRest), "velocities for");
+  vtkNew<vtkImageData> empty;
+  expect(message(empty, vtkVesicleForceFilter::AtRest), "no cells");
+  vtkNew<vtkDataSetTriangleFilter> cut;
+  const auto cells = image(shear);
+  cut->SetInputData(cells);
+  cut->Update();
+  vtkUnstructuredGrid* grid = cut->GetOutput();
+  vtkNew<vtkUnstructuredGrid> torn;
+  torn->DeepCopy(grid);
+  torn->GetCells()->ReplaceCellAtId(7, { 0, 1, 2, 900000000 });
+  expect(message(torn, vtkVesicleForceFilter::AtRest), "cell 7");
 }
 
 }

@@ -3,6 +3,7 @@
 #include "MeshConversion.h"
 #include "SceneNumbers.h"
 #include "SurfacePorts.h"
+#include "VelocityFieldData.h"
 #include "VelocityFieldFile.h"
 
 #include "solver/Joined.h"
@@ -127,16 +128,11 @@ void solve(const vesicle::Scene& scene, Simulation& simulation, const Vesicles& 
 
 vtkStandardNewMacro(vtkVesicleForceFilter);
 
-int vtkVesicleForceFilter::FillInputPortInformation(int, vtkInformation* info)
-{
-  vesicle::take_surfaces_together(info);
-  return 1;
-}
-
 int vtkVesicleForceFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
   vesicle::request_whole(inputs[0]);
+  RequestStart(inputs[1]);
   return 1;
 }
 
@@ -159,6 +155,8 @@ int vtkVesicleForceFilter::RequestData(
     }
     std::string field_notes;
     vesicle::Scene scene = vesicle::with_velocity_field(this->MakeScene(), field_notes);
+    scene =
+      vesicle::in_velocity_field(std::move(scene), vtkDataObject::GetData(inputs[1]), field_notes);
     if (this->BendingForce == Fitted)
     {
       scene.accuracy.bending = vesicle::Scene::Bending::fit;

@@ -76,7 +76,6 @@ public:
 protected:
   vtkVesicleForceFilter() = default;
   ~vtkVesicleForceFilter() override = default;
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

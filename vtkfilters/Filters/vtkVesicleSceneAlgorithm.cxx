@@ -1,6 +1,7 @@
 #include "vtkVesicleSceneAlgorithm.h"
 
 #include "SceneNumbers.h"
+#include "SurfacePorts.h"
 
 #include "solver/Errors.h"
 #include "solver/flow/FieldFlow.h"
@@ -32,6 +33,60 @@ void require(bool condition, const char* what)
   }
 }
 
+}
+
+vtkVesicleSceneAlgorithm::vtkVesicleSceneAlgorithm()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+void vtkVesicleSceneAlgorithm::SetVelocityFieldData(vtkDataObject* field)
+{
+  this->SetInputDataObject(1, field);
+}
+
+void vtkVesicleSceneAlgorithm::SetVelocityFieldConnection(vtkAlgorithmOutput* output)
+{
+  this->SetInputConnection(1, output);
+}
+
+vtkDataObject* vtkVesicleSceneAlgorithm::GetVelocityField()
+{
+  return this->GetNumberOfInputConnections(1) > 0 ? this->GetInputDataObject(1, 0) : nullptr;
+}
+
+int vtkVesicleSceneAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
+{
+  this->Superclass::FillInputPortInformation(port, info);
+  if (port == 0)
+  {
+    vesicle::take_surfaces_together(info);
+  }
+  else
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+void vtkVesicleSceneAlgorithm::RequestStart(vtkInformationVector* input)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vesicle::request_whole(input);
+  vtkInformation* info = input->GetInformationObject(0);
+  if (!info)
+  {
+    return;
+  }
+  if (info->Has(Pipeline::TIME_STEPS()))
+  {
+    info->Set(Pipeline::UPDATE_TIME_STEP(), info->Get(Pipeline::TIME_STEPS())[0]);
+  }
+  else
+  {
+    info->Remove(Pipeline::UPDATE_TIME_STEP());
+  }
 }
 
 Scene vtkVesicleSceneAlgorithm::MakeScene()
@@ -158,6 +213,7 @@ void vtkVesicleSceneAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   print("FlowAxis", this->FlowAxis);
   os << indent << "FlowType: " << this->FlowType << '\n';
   os << indent << "FlowFile: " << (this->FlowFile ? this->FlowFile : "(none)") << '\n';
+  os << indent << "VelocityField: " << this->GetVelocityField() << '\n';
   os << indent << "BondNumber: " << this->BondNumber << '\n';
   os << indent << "DensityDifference: " << this->DensityDifference << '\n';
   os << indent << "Acceleration: " << this->Acceleration << '\n';

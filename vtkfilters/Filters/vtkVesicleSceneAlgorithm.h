@@ -299,6 +299,17 @@ public:
 
   ///@{
   /**
+   * The velocity of the fluid as it is without a vesicle, at port 1: an image or a grid whose points (or cells)
+   * have it as their active vectors, or as their only array of three components. Data, or the output of
+   * another algorithm at its first time; with FlowKind AtRest, and a scene without a flow. Default: none.
+   */
+  void SetVelocityFieldData(vtkDataObject* field);
+  void SetVelocityFieldConnection(vtkAlgorithmOutput* output);
+  vtkDataObject* GetVelocityField();
+  ///@}
+
+  ///@{
+  /**
    * How surface and forces are discretised, one of Presets. Loop's surface (Balanced, Accurate)
    * wants a mesh with smoothly spaced points and tells by a warning if it hasn't got one; Fast
    * takes any. Default: Balanced.
@@ -308,12 +319,16 @@ public:
   ///@}
 
 protected:
-  vtkVesicleSceneAlgorithm() = default;
+  vtkVesicleSceneAlgorithm();
   ~vtkVesicleSceneAlgorithm() override { this->SetFlowFile(nullptr); }
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
 
 #ifndef __VTK_WRAP__
   /// A scene of these properties. Throws vesicle::InputError.
   vesicle::Scene MakeScene();
+  /// Asks the input for all that there is, at its first time.
+  static void RequestStart(vtkInformationVector* input);
 #endif
 
   double BendingRigidity = 1;

@@ -4,6 +4,7 @@
 #include "SceneMesh.h"
 #include "SceneNumbers.h"
 #include "SurfacePorts.h"
+#include "VelocityFieldData.h"
 #include "VelocityFieldFile.h"
 
 #include "solver/Doing.h"
@@ -150,13 +151,15 @@ struct vtkVesicleStepper::Internals
 
   // What the settings above led to.
   Scene CurrentScene;
-  std::string PropertiesText; // the scene of the properties as TOML
-  std::string FieldNotes;     // on the scene's velocity field
+  std::string PropertiesText;                            // the scene of the properties as TOML
+  std::string FieldNotes;                                // on the velocity field
+  std::shared_ptr<const vesicle::ImposedFlow> SceneFlow; // without what the second input says
   vtkMTimeType SceneTime = 0;
   std::unique_ptr<Simulation> Sim;
   vtkSmartPointer<vtkPolyData> Start; // the input's membrane, whose indices have been looked at
   std::unique_ptr<vesicle::Trajectory> Path;
   vtkMTimeType SimulationTime = 0;
+  std::array<vtkDataObject*, 2> Inputs{}; // that it began with
 
   std::vector<Diagnostics> LastDiagnostics;
   std::int64_t DiagnosedStep = -1;
@@ -178,6 +181,13 @@ struct vtkVesicleStepper::Internals
     return this->SceneFileName.empty()
       ? vesicle::parse_scene(this->SceneText, "SceneText", ".", this->Overrides)
       : vesicle::read_scene(this->SceneFileName, this->Overrides);
+  }
+
+  void ReadField(vtkDataObject* field)
+  {
+    this->CurrentScene.flow = this->SceneFlow;
+    this->CurrentScene =
+      vesicle::in_velocity_field(std::move(this->CurrentScene), field, this->FieldNotes);
   }
 
   std::vector<vesicle::StartMesh> StartMeshes(vtkPolyData* start) const
@@ -427,7 +437,6 @@ const std::vector<Diagnostics>& vtkVesicleStepper::GetAllDiagnostics() const
 int vtkVesicleStepper::FillInputPortInformation(int port, vtkInformation* info)
 {
   this->Superclass::FillInputPortInformation(port, info);
-  vesicle::take_surfaces_together(info);
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
@@ -521,16 +530,21 @@ void vtkVesicleStepper::ReadScene()
   internal.FieldNotes.clear();
   internal.CurrentScene =
     vesicle::with_velocity_field(std::move(internal.CurrentScene), internal.FieldNotes);
+  internal.SceneFlow = internal.CurrentScene.flow;
   internal.SceneTime = internal.Changed;
 }
 
-void vtkVesicleStepper::Prepare(vtkDataObject* start)
+void vtkVesicleStepper::Prepare(vtkDataObject* start, vtkDataObject* field)
 {
   auto& internal = *this->Internal;
   this->ReadScene();
-  const vtkMTimeType needed =
-    std::max(internal.Changed.GetMTime(), start ? start->GetMTime() : vtkMTimeType(0));
-  if (internal.Path && internal.SimulationTime >= needed)
+  vtkMTimeType needed = internal.Changed.GetMTime();
+  for (vtkDataObject* input : { start, field })
+  {
+    needed = std::max(needed, input ? input->GetMTime() : vtkMTimeType(0));
+  }
+  const std::array inputs{ start, field };
+  if (internal.Path && internal.SimulationTime >= needed && internal.Inputs == inputs)
   {
     return;
   }
@@ -541,9 +555,11 @@ void vtkVesicleStepper::Prepare(vtkDataObject* start)
       std::max<std::size_t>(vesicle::vesicle_points(membrane).size(), 1) - 1,
       internal.CurrentScene.companion());
   }
+  internal.ReadField(field);
   internal.StartAnew(membrane, this->CacheSize);
   internal.Start = membrane;
   internal.SimulationTime = needed;
+  internal.Inputs = inputs;
   if (!internal.Sim->notes().empty())
   {
     vtkWarningMacro(<< internal.Sim->notes());
@@ -553,19 +569,9 @@ void vtkVesicleStepper::Prepare(vtkDataObject* start)
 int vtkVesicleStepper::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
-  vesicle::request_whole(inputs[0]);
-  // The time that is asked for is this simulation's, not the start shape's.
-  if (vtkInformation* input = inputs[0]->GetInformationObject(0))
-  {
-    if (input->Has(Pipeline::TIME_STEPS()))
-    {
-      input->Set(Pipeline::UPDATE_TIME_STEP(), input->Get(Pipeline::TIME_STEPS())[0]);
-    }
-    else
-    {
-      input->Remove(Pipeline::UPDATE_TIME_STEP());
-    }
-  }
+  // The time that is asked for is this simulation's, not the start shape's or the field's.
+  RequestStart(inputs[0]);
+  RequestStart(inputs[1]);
   return 1;
 }
 
@@ -638,7 +644,11 @@ int vtkVesicleStepper::RequestData(
     return 1;
   }
   if (!this->Guarded(
-        [&] { vesicle::doing("preparing the simulation", [&] { this->Prepare(start); }); }))
+        [&]
+        {
+          vesicle::doing("preparing the simulation",
+            [&] { this->Prepare(start, vtkDataObject::GetData(inputs[1])); });
+        }))
   {
     return 0;
   }

@@ -244,7 +244,7 @@ private:
   void SettingsChanged();
   vesicle::Scene SceneOfProperties();
   void ReadScene();
-  void Prepare(vtkDataObject* start);
+  void Prepare(vtkDataObject* start, vtkDataObject* field);
   void AdvanceTo(double time);
   void ShareProgress(double from, double to);
 
