@@ -109,7 +109,7 @@ void Run::require_leave_to_write() const
 void Run::start_anew()
 {
   update_to(0);
-  require_movie_color();
+  require_movie_arrays();
   take_folder();
   record();
   append_frame();
@@ -190,7 +190,7 @@ bool Run::go_on()
   stepper_->SetState(checkpoint_->state());
   update_to(checkpoint_->state().time);
   require_same_mesh(*stepper_->GetSimulation(), *checkpoint_, file);
-  require_movie_color();
+  require_movie_arrays();
 
   const State& state = *stepper_->GetState();
   const OutputSchedule& schedule = stepper_->GetSimulation()->schedule();
@@ -347,11 +347,11 @@ RunFile Run::create_checkpoint() const
   return RunFile::create(folder_.checkpoint(), header);
 }
 
-void Run::require_movie_color()
+void Run::require_movie_arrays()
 {
   if (options_.movie)
   {
-    require_color(scene_, stepper_->GetOutput());
+    require_arrays(scene_, stepper_->GetOutput());
   }
 }
 

@@ -63,7 +63,7 @@ private:
   void append_frame();
   void append_last_frame();
   void tell_once_if_unresolved();
-  void require_movie_color();
+  void require_movie_arrays();
   void estimate_errors();
   void summarize();
   void write_summary();

@@ -84,10 +84,14 @@ std::shared_ptr<const ImposedFlow> field_of(const Scene& scene)
   return imposed_flow(with_velocity_field(scene, told));
 }
 
-void require_color(const Scene& scene, vtkPolyData* surface)
+namespace
 {
-  vtkPointData* arrays = surface->GetPointData();
-  if (arrays->HasArray(scene.movie.color.c_str()))
+
+/// `what`: the setting that takes it.
+void require_array(
+  const Scene& scene, vtkPointData* arrays, const std::string& name, const std::string& what)
+{
+  if (arrays->HasArray(name.c_str()))
   {
     return;
   }
@@ -96,8 +100,30 @@ void require_color(const Scene& scene, vtkPolyData* surface)
   {
     names += fmt::format(" {}", arrays->GetArrayName(i));
   }
-  throw InputError(fmt::format("{}: movie.color = \"{}\" is not an array of this run; there are:{}",
-    scene.file.string(), scene.movie.color, names));
+  throw InputError(fmt::format("{}: {} is not an array of this run (output.fields); there are:{}",
+    scene.file.string(), what, names));
+}
+
+}
+
+void require_arrays(const Scene& scene, vtkPolyData* surface)
+{
+  const Scene::Movie& movie = scene.movie;
+  const auto require = [&](const std::string& name, const std::string& what)
+  { require_array(scene, surface->GetPointData(), name, what); };
+  require(movie.color, fmt::format("movie.color = \"{}\"", movie.color));
+  if (movie.flow_lines)
+  {
+    require("Membrane_Force", "Membrane_Force, which movie.flow_lines takes,");
+  }
+  for (const auto& [wanted, key] : { std::pair(movie.flow_lines, "flow_lines"),
+         std::pair(movie.markers > 0, "markers"), std::pair(movie.arrows, "arrows") })
+  {
+    if (wanted)
+    {
+      require("Velocity", fmt::format("Velocity, which movie.{} takes,", key));
+    }
+  }
 }
 
 void prepare_to_draw()

@@ -26,9 +26,9 @@ MovieSettings movie_settings(const Scene::Movie& movie);
 /// where it names none. Throws InputError for one that can't be read.
 std::shared_ptr<const ImposedFlow> field_of(const Scene& scene);
 
-/// Throws InputError listing the arrays unless the scene's movie.color is one of the surface's.
+/// Throws InputError listing the arrays unless all that the scene's movie shows are the surface's.
 /// Asked at the start: nobody wants to hear it at the end.
-void require_color(const Scene& scene, vtkPolyData* surface);
+void require_arrays(const Scene& scene, vtkPolyData* surface);
 
 /// Loads what draws, which takes a fifth of a second, so that it is there when pictures are to be made.
 void prepare_to_draw();

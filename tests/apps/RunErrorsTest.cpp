@@ -105,6 +105,19 @@ TEST_F(RunErrors, UnknownMovieColourIsToldBeforeTheRun)
   EXPECT_TRUE(nothing_written());
 }
 
+TEST_F(RunErrors, WhatTheMovieNeedsIsToldBeforeTheRun)
+{
+  for (const auto& [key, array] : { std::pair("movie.flow_lines=true", "Membrane_Force"),
+         std::pair("movie.markers=20", "Velocity"), std::pair("movie.arrows=true", "Velocity") })
+  {
+    const auto outcome = vesicle_command(folder.path(),
+      { "run", "pear.toml", "--set", key, "--set", "output.fields=['Mean_Curvature']" });
+    EXPECT_EQ(outcome.code, 2);
+    expect_mentions(outcome, array);
+    EXPECT_TRUE(nothing_written());
+  }
+}
+
 TEST_F(RunErrors, MissingMesh)
 {
   std::ofstream(folder / "mesh.toml")
