@@ -97,6 +97,7 @@ SparseMatrix element_sum(const BasisTable& table, Add add)
       }
     });
   std::vector<Sum> sums;
+  sums.reserve(parts);
   for (std::optional<Sum>& sum : made)
     sums.push_back(std::move(*sum));
   return Sum::total(sums);
