@@ -56,6 +56,23 @@ MovieSettings settings_of(
   return settings;
 }
 
+/// `what`: the setting that takes it.
+void require_array(
+  const Scene& scene, vtkPointData* arrays, const std::string& name, const std::string& what)
+{
+  if (arrays->HasArray(name.c_str()))
+  {
+    return;
+  }
+  std::string names;
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+  {
+    names += fmt::format(" {}", arrays->GetArrayName(i));
+  }
+  throw InputError(fmt::format("{}: {} is not an array of this run (output.fields); there are:{}",
+    scene.file.string(), what, names));
+}
+
 }
 
 MovieSettings movie_settings(const Scene::Movie& movie)
@@ -82,28 +99,6 @@ std::shared_ptr<const ImposedFlow> field_of(const Scene& scene)
   }
   std::string told; // when the run began
   return imposed_flow(with_velocity_field(scene, told));
-}
-
-namespace
-{
-
-/// `what`: the setting that takes it.
-void require_array(
-  const Scene& scene, vtkPointData* arrays, const std::string& name, const std::string& what)
-{
-  if (arrays->HasArray(name.c_str()))
-  {
-    return;
-  }
-  std::string names;
-  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
-  {
-    names += fmt::format(" {}", arrays->GetArrayName(i));
-  }
-  throw InputError(fmt::format("{}: {} is not an array of this run (output.fields); there are:{}",
-    scene.file.string(), what, names));
-}
-
 }
 
 void require_arrays(const Scene& scene, vtkPolyData* surface)

@@ -129,8 +129,9 @@ void add_velocity(vtkPolyData* surface, const FlowPlane& plane, vtkDataSet* flat
   {
     add_field(*plane.field, points, velocity, found->GetArray("Inside"));
   }
-  const Point3 drift =
-    plane.along ? centroid_velocity(surface, finite_point_array(surface, "Velocity")) : Point3{};
+  const Point3 drift = plane.along
+    ? centroid_velocity(surface, finite_vectors(surface, "Velocity", "flow lines"))
+    : Point3{};
   vtkNew<vtkDoubleArray> seen;
   seen->SetName("Velocity");
   seen->SetNumberOfComponents(3);

@@ -26,7 +26,7 @@ constexpr const char* velocity_name = "Velocity";
 struct MarkedMoment
 {
   double time = 0;
-  Vector3 center, drift;
+  Vector3 center;
   double radius = 0, speed = 0; ///< largest distance of a point, and velocity
   vtkSmartPointer<vtkPolyData> surface;
   vtkNew<vtkStaticCellLocator> locator;
@@ -68,38 +68,29 @@ namespace
 constexpr double longest_step = 0.1;
 constexpr int most_steps = 200; // between two frames
 
-/// The points of one vesicle with their velocities.
-vtkSmartPointer<vtkPolyData> part_of_surface(vtkPolyData* surface, const std::vector<int>& points)
+/// The points of one vesicle of the mesh with their velocities.
+vtkSmartPointer<vtkPolyData> part_of_surface(
+  const TriangleMesh& mesh, vtkDataArray* velocity, const std::vector<int>& points)
 {
-  vtkDataArray* all = finite_point_array(surface, velocity_name);
-  if (all->GetNumberOfComponents() != 3)
-  {
-    throw InputError("point array \"Velocity\" must have three components for markers");
-  }
   Points velocities(static_cast<Eigen::Index>(points.size()), 3);
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    all->GetTuple(points[i], velocities.row(static_cast<Eigen::Index>(i)).data());
+    velocity->GetTuple(points[i], velocities.row(static_cast<Eigen::Index>(i)).data());
   }
-  auto part = to_polydata(part_with(to_mesh(surface), points));
+  auto part = to_polydata(part_with(mesh, points));
   part->GetPointData()->AddArray(to_array(velocity_name, Eigen::MatrixXd(velocities)));
   return part;
 }
 
-Vector3 vector_of(const Point3& p)
+std::unique_ptr<MarkedMoment> moment_of(vtkPolyData* part, SmoothSurface& smooth, double time)
 {
-  return { p[0], p[1], p[2] };
-}
-
-std::shared_ptr<MarkedMoment> moment_of(vtkPolyData* part, SmoothSurface& smooth, double time)
-{
-  auto moment = std::make_shared<MarkedMoment>();
+  auto moment = std::make_unique<MarkedMoment>();
   moment->time = time;
   moment->surface = smooth.refine(part, { velocity_name }).surface;
   vtkPolyData* surface = moment->surface;
   vtkDataArray* velocity = surface->GetPointData()->GetArray(velocity_name);
   moment->center = vector_of(surface_centroid(surface));
-  moment->drift = vector_of(centroid_velocity(surface, velocity));
+  const Vector3 drift = vector_of(centroid_velocity(surface, velocity));
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
@@ -108,7 +99,7 @@ std::shared_ptr<MarkedMoment> moment_of(vtkPolyData* part, SmoothSurface& smooth
     surface->GetPoint(i, x.data());
     velocity->GetTuple(i, u.data());
     x -= moment->center;
-    u -= moment->drift;
+    u -= drift;
     points->InsertNextPoint(x.data());
     velocity->SetTuple(i, u.data());
     moment->radius = std::max(moment->radius, x.norm());
@@ -147,7 +138,7 @@ Vector3 carried(Vector3 y, MarkedMoment& from, MarkedMoment& to)
 struct MembraneMarkers::Vesicle
 {
   SmoothSurface smooth;
-  std::shared_ptr<MarkedMoment> last;
+  std::unique_ptr<MarkedMoment> last;
   std::vector<Vector3> markers; ///< from the centroid
 };
 
@@ -158,8 +149,7 @@ MembraneMarkers::~MembraneMarkers() = default;
 std::vector<Point3> MembraneMarkers::at(vtkPolyData* surface, double time)
 {
   const auto parts = vesicle_points(surface);
-  const bool first = vesicles_.empty();
-  if (first)
+  if (vesicles_.empty())
   {
     vesicles_ = std::vector<Vesicle>(parts.size());
   }
@@ -168,12 +158,15 @@ std::vector<Point3> MembraneMarkers::at(vtkPolyData* surface, double time)
     throw InputError(
       fmt::format("markers on {} vesicles, and a frame of {}", vesicles_.size(), parts.size()));
   }
+  const TriangleMesh mesh = to_mesh(surface);
+  vtkDataArray* velocity = finite_vectors(surface, velocity_name, "markers");
   std::vector<Point3> all;
   for (std::size_t v = 0; v < parts.size(); ++v)
   {
     Vesicle& vesicle = vesicles_[v];
-    const auto part = part_of_surface(surface, parts[v]);
+    const auto part = part_of_surface(mesh, velocity, parts[v]);
     auto now = moment_of(part, vesicle.smooth, time);
+    const bool first = !vesicle.last;
     if (first)
     {
       for (const long long i : spread_points(part, count_))

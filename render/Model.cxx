@@ -57,7 +57,7 @@ Model model_of(vtkPolyData* triangles, const std::string& array, const ColorScal
   const TriangleMesh mesh = to_mesh(triangles);
   const Point3 centroid = surface_centroid(triangles);
   Model model;
-  model.place = Vector3(centroid[0], centroid[1], centroid[2]);
+  model.place = vector_of(centroid);
   model.points = mesh.points.rowwise() - model.place.transpose();
   model.normals = normals_of(triangles);
   model.colors = colors_of(finite_point_array(triangles, array), scale);

@@ -14,11 +14,6 @@ namespace
 constexpr double shortest_arrow = 0.1; // of the longest
 constexpr double line_end = 1;
 
-Vector3 vector_of(const Point3& p)
-{
-  return { p[0], p[1], p[2] };
-}
-
 Point3 point_of(const Vector3& v)
 {
   return { v[0], v[1], v[2] };

@@ -213,6 +213,17 @@ vtkDataArray* finite_point_array(vtkPolyData* surface, const std::string& name)
   return array;
 }
 
+vtkDataArray* finite_vectors(vtkPolyData* surface, const std::string& name, const std::string& what)
+{
+  vtkDataArray* array = finite_point_array(surface, name);
+  if (array->GetNumberOfComponents() != 3)
+  {
+    throw InputError(
+      fmt::format("point array \"{}\" must have three components for {}", name, what));
+  }
+  return array;
+}
+
 std::vector<long long> spread_points(vtkPolyData* surface, int count)
 {
   const vtkIdType all = surface->GetNumberOfPoints();

@@ -1,6 +1,8 @@
 #pragma once
 // What a picture needs to know of a triangulated surface.
 
+#include "solver/mesh/TriangleMesh.h"
+
 #include <array>
 #include <string>
 #include <vector>
@@ -12,6 +14,11 @@ namespace vesicle
 {
 
 using Point3 = std::array<double, 3>;
+
+inline Vector3 vector_of(const Point3& p)
+{
+  return { p[0], p[1], p[2] };
+}
 
 /// Centroid of the enclosed volume; of the area where the surface is open or encloses nothing.
 /// Throws InputError when there is no triangle or a point is not finite.
@@ -38,6 +45,10 @@ vtkDataArray* finite_point_array(vtkPolyData* surface, const std::string& name);
 
 /// So many of the surface's points, or all: each next one is the farthest from those before.
 std::vector<long long> spread_points(vtkPolyData* surface, int count);
+
+/// The same of three components; `what`: is drawn of it, for the error where it has another number.
+vtkDataArray* finite_vectors(
+  vtkPolyData* surface, const std::string& name, const std::string& what);
 
 /// A component's value, or the magnitude of a vector.
 double scalar_value(vtkDataArray* array, long long point);

@@ -1,7 +1,6 @@
 #include "render/VelocityArrows.h"
 
 #include "render/SurfaceMeasures.h"
-#include "solver/Errors.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkMath.h"
@@ -17,7 +16,6 @@ namespace
 {
 
 constexpr int arrow_count = 160;
-constexpr const char* array_name = "Velocity";
 
 /// Arrows shorter than this share of the longest are left out: they'd be dots.
 constexpr double shortest = 0.03;
@@ -25,20 +23,10 @@ constexpr double shortest = 0.03;
 /// Arrows start this far outside, in their longest length: none is half inside the surface.
 constexpr double lift = 0.06;
 
-vtkDataArray* velocity_of(vtkPolyData* surface)
-{
-  vtkDataArray* velocity = finite_point_array(surface, array_name);
-  if (velocity->GetNumberOfComponents() != 3)
-  {
-    throw InputError("point array \"Velocity\" must have three components for arrows");
-  }
-  return velocity;
-}
-
 /// One vector a point.
 std::vector<Point3> lipid_flow(vtkPolyData* surface, const std::vector<Point3>& normals)
 {
-  vtkDataArray* velocity = velocity_of(surface);
+  vtkDataArray* velocity = finite_vectors(surface, "Velocity", "arrows");
   const Point3 reference = centroid_velocity(surface, velocity);
   std::vector<Point3> flow(normals.size());
   for (std::size_t i = 0; i < flow.size(); ++i)

@@ -130,6 +130,7 @@ TEST(FlowWays, AreThoseThatACameraSeesThatFollows)
   plane.along = false;
   EXPECT_NEAR(largest_flow_speed(surface, plane), 0.5, 1e-12);
   const FlowWays ways = flow_ways(surface, plane, 0.5);
+  EXPECT_GT(ways.ways.size(), 100u);
   for (const Way& way : ways.ways)
   {
     EXPECT_NEAR(way.back()[0] - way.front()[0], 0.3 * ways.time, single);

@@ -22,11 +22,6 @@ namespace
 
 const Vector3 axes(1.4, 1, 0.8), drift(3, -2, 1);
 
-Vector3 vector_of(const Point3& p)
-{
-  return { p[0], p[1], p[2] };
-}
-
 /// A motion of points of the unit sphere, and the velocity of what is at one.
 struct Motion
 {
@@ -168,6 +163,13 @@ TEST(MembraneMarkers, TakeVelocitiesAndTheSameVesicles)
   const auto bare = to_polydata(geodesic_sphere(2));
   EXPECT_NE(
     message_of<InputError>([&] { markers.at(bare, 0); }).find("Velocity"), std::string::npos);
+  EXPECT_EQ(markers.at(surface_at(Treading{}, 0), 0).size(), 5u);
+  vtkNew<vtkAppendPolyData> two;
+  two->AddInputData(surface_at(Treading{}, 0));
+  two->AddInputData(surface_at(Treading{}, 3));
+  two->Update();
+  EXPECT_NE(message_of<InputError>([&] { markers.at(two->GetOutput(), 1); }).find("1 vesicles"),
+    std::string::npos);
 }
 
 TEST(MembraneMarkers, AreInTheMovie)

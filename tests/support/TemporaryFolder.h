@@ -14,7 +14,8 @@ class TemporaryFolder
 public:
   TemporaryFolder()
   {
-    std::string pattern = (std::filesystem::temp_directory_path() / "vesicle-XXXXXX").string();
+    const std::string name = "vesicle-" + std::string(6, 'X'); // which mkdtemp makes unique
+    std::string pattern = (std::filesystem::temp_directory_path() / name).string();
     if (!mkdtemp(pattern.data()))
     {
       throw std::runtime_error("no temporary folder");

@@ -317,6 +317,24 @@ TEST(VelocityField, OfAPipelineIsThatOfThePropertiesToo)
   EXPECT_EQ(points_of(in_field->GetOutput()), points_of(in_shear->GetOutput()));
 }
 
+// A field that is refused leaves the scene as it was.
+TEST(VelocityField, OfAPipelineMayBeMended)
+{
+  vtkNew<vtkVesicleStepper> stepper;
+  stepper->SetSceneText(scene_text("kind = \"shear\"\nrate = 2").c_str());
+  const auto box = image(shear);
+  {
+    const VtkMessages messages;
+    stepper->SetVelocityFieldData(box);
+    stepper->UpdateTimeStep(0.5);
+    EXPECT_NE(messages.first_error().find("choose one"), std::string::npos)
+      << messages.first_error();
+  }
+  stepper->SetVelocityFieldData(nullptr);
+  stepper->UpdateTimeStep(0.5);
+  EXPECT_EQ(points_of(stepper->GetOutput()), end_in("kind = \"shear\"\nrate = 2"));
+}
+
 TEST(VelocityField, OfAPipelineMovesForces)
 {
   const auto shape = prolate();

@@ -34,6 +34,22 @@ inline void request_whole(vtkInformationVector* input)
   }
 }
 
+/// The whole at its first time, whichever is asked for.
+inline void request_start(vtkInformationVector* input)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  request_whole(input);
+  vtkInformation* info = input->GetInformationObject(0);
+  if (info && info->Has(Pipeline::TIME_STEPS()))
+  {
+    info->Set(Pipeline::UPDATE_TIME_STEP(), info->Get(Pipeline::TIME_STEPS())[0]);
+  }
+  else if (info)
+  {
+    info->Remove(Pipeline::UPDATE_TIME_STEP());
+  }
+}
+
 /// Of what is made of the whole, the first piece has all and others nothing.
 inline bool is_first_piece(vtkInformationVector* output)
 {

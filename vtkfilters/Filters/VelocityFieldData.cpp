@@ -3,6 +3,7 @@
 #include "VelocitySample.h"
 
 #include "solver/Errors.h"
+#include "solver/Joined.h"
 #include "solver/flow/FieldFlow.h"
 
 #include "vtkDataSet.h"
@@ -54,20 +55,22 @@ private:
 
 }
 
-Scene in_velocity_field(Scene scene, vtkDataObject* data, std::string& notes)
+std::shared_ptr<const ImposedFlow> flow_with_field(
+  const std::shared_ptr<const ImposedFlow>& scene_flow, vtkDataObject* data, std::string& notes)
 {
   if (!data)
-    return scene;
+    return scene_flow;
   auto* field = vtkDataSet::SafeDownCast(data);
   if (!field)
     throw InputError(std::string(name) + ": is no image or grid; extract one of its blocks");
-  if (scene.flow)
+  if (scene_flow)
     throw InputError("there is a flow beside " + std::string(name) + "; choose one of them");
   auto flow = std::make_shared<FieldFlow>();
   flow->file = name;
-  flow->field = std::make_shared<const VelocityFieldData>(field, notes);
-  scene.flow = flow;
-  return scene;
+  std::string told;
+  flow->field = std::make_shared<const VelocityFieldData>(field, told);
+  notes = lines({ notes, told });
+  return flow;
 }
 
 }

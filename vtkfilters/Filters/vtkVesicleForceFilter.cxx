@@ -132,7 +132,7 @@ int vtkVesicleForceFilter::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
   vesicle::request_whole(inputs[0]);
-  RequestStart(inputs[1]);
+  vesicle::request_start(inputs[1]);
   return 1;
 }
 
@@ -155,8 +155,8 @@ int vtkVesicleForceFilter::RequestData(
     }
     std::string field_notes;
     vesicle::Scene scene = vesicle::with_velocity_field(this->MakeScene(), field_notes);
-    scene =
-      vesicle::in_velocity_field(std::move(scene), vtkDataObject::GetData(inputs[1]), field_notes);
+    scene.flow =
+      vesicle::flow_with_field(scene.flow, vtkDataObject::GetData(inputs[1]), field_notes);
     if (this->BendingForce == Fitted)
     {
       scene.accuracy.bending = vesicle::Scene::Bending::fit;

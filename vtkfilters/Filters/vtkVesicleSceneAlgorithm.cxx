@@ -70,25 +70,6 @@ int vtkVesicleSceneAlgorithm::FillInputPortInformation(int port, vtkInformation*
   return 1;
 }
 
-void vtkVesicleSceneAlgorithm::RequestStart(vtkInformationVector* input)
-{
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vesicle::request_whole(input);
-  vtkInformation* info = input->GetInformationObject(0);
-  if (!info)
-  {
-    return;
-  }
-  if (info->Has(Pipeline::TIME_STEPS()))
-  {
-    info->Set(Pipeline::UPDATE_TIME_STEP(), info->Get(Pipeline::TIME_STEPS())[0]);
-  }
-  else
-  {
-    info->Remove(Pipeline::UPDATE_TIME_STEP());
-  }
-}
-
 Scene vtkVesicleSceneAlgorithm::MakeScene()
 {
   require(

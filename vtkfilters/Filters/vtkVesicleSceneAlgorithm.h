@@ -327,8 +327,6 @@ protected:
 #ifndef __VTK_WRAP__
   /// A scene of these properties. Throws vesicle::InputError.
   vesicle::Scene MakeScene();
-  /// Asks the input for all that there is, at its first time.
-  static void RequestStart(vtkInformationVector* input);
 #endif
 
   double BendingRigidity = 1;

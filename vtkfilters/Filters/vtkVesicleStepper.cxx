@@ -151,9 +151,10 @@ struct vtkVesicleStepper::Internals
 
   // What the settings above led to.
   Scene CurrentScene;
-  std::string PropertiesText;                            // the scene of the properties as TOML
-  std::string FieldNotes;                                // on the velocity field
-  std::shared_ptr<const vesicle::ImposedFlow> SceneFlow; // without what the second input says
+  std::string PropertiesText; // the scene of the properties as TOML
+  // Without what the second input says, and with it.
+  std::shared_ptr<const vesicle::ImposedFlow> SceneFlow;
+  std::string SceneFieldNotes, FieldNotes; // on the velocity field
   vtkMTimeType SceneTime = 0;
   std::unique_ptr<Simulation> Sim;
   vtkSmartPointer<vtkPolyData> Start; // the input's membrane, whose indices have been looked at
@@ -185,9 +186,8 @@ struct vtkVesicleStepper::Internals
 
   void ReadField(vtkDataObject* field)
   {
-    this->CurrentScene.flow = this->SceneFlow;
-    this->CurrentScene =
-      vesicle::in_velocity_field(std::move(this->CurrentScene), field, this->FieldNotes);
+    this->FieldNotes = this->SceneFieldNotes;
+    this->CurrentScene.flow = vesicle::flow_with_field(this->SceneFlow, field, this->FieldNotes);
   }
 
   std::vector<vesicle::StartMesh> StartMeshes(vtkPolyData* start) const
@@ -527,9 +527,9 @@ void vtkVesicleStepper::ReadScene()
   internal.CurrentScene = internal.HasScene()
     ? internal.ReadScene()
     : vesicle::parse_scene(internal.PropertiesText, "properties", ".", internal.Overrides);
-  internal.FieldNotes.clear();
+  internal.SceneFieldNotes.clear();
   internal.CurrentScene =
-    vesicle::with_velocity_field(std::move(internal.CurrentScene), internal.FieldNotes);
+    vesicle::with_velocity_field(std::move(internal.CurrentScene), internal.SceneFieldNotes);
   internal.SceneFlow = internal.CurrentScene.flow;
   internal.SceneTime = internal.Changed;
 }
@@ -570,8 +570,8 @@ int vtkVesicleStepper::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
   // The time that is asked for is this simulation's, not the start shape's or the field's.
-  RequestStart(inputs[0]);
-  RequestStart(inputs[1]);
+  vesicle::request_start(inputs[0]);
+  vesicle::request_start(inputs[1]);
   return 1;
 }
 
