@@ -25,10 +25,15 @@ constexpr int block_size = 64, blocks_at_once = 64;
 Eigen::MatrixXd solve(const SparseMatrix& A, const Eigen::MatrixXd& b)
 {
   constexpr double tolerance = 1e-14; // of the residual
-  Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower | Eigen::Upper> gradients(A);
-  gradients.setTolerance(tolerance);
   Eigen::MatrixXd x(b.rows(), b.cols());
-  parallel_for(static_cast<int>(b.cols()), [&](int j) { x.col(j) = gradients.solve(b.col(j)); });
+  parallel_for(static_cast<int>(b.cols()),
+    [&](int j)
+    {
+      // One for each column: it counts its iterations as it solves.
+      Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower | Eigen::Upper> gradients(A);
+      gradients.setTolerance(tolerance);
+      x.col(j) = gradients.solve(b.col(j));
+    });
   return x;
 }
 
