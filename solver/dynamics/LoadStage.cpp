@@ -296,13 +296,15 @@ StageSolution LoadStage::solve(const std::vector<LocalPreconditioner>& precondit
   };
   const auto precondition = [&](const Eigen::VectorXd& r) -> Eigen::VectorXd
   { return join(this->precondition(preconditioners, rigid, split(r.cwiseQuotient(scale_)))); };
-  const auto wanted = [&](const Eigen::VectorXd& coefficients)
+  const auto velocity_with = [&](const Eigen::VectorXd& coefficients)
   {
     Eigen::VectorXd velocity = guessed_velocity;
     for (Eigen::Index i = 0; i < coefficients.size(); ++i)
       velocity += coefficients[i] * velocities[i];
-    return tolerance * velocity.norm();
+    return velocity;
   };
+  const auto wanted = [&](const Eigen::VectorXd& coefficients)
+  { return tolerance * velocity_with(coefficients).norm(); };
   const GmresResult linear = gmres(apply, precondition, b, wanted, max_iterations);
   if (!linear.solution.allFinite() || !std::isfinite(linear.residual))
     throw NumericalError(
@@ -312,18 +314,19 @@ StageSolution LoadStage::solve(const std::vector<LocalPreconditioner>& precondit
       "the linear solve of {} unknowns did not converge: residual {:.1e} after {} iterations",
       unknowns(), linear.residual, linear.iterations));
 
-  return solution_of(split(join(guess) + linear.solution), linear.iterations);
+  StageSolution solution = solution_of(split(join(guess) + linear.solution));
+  solution.velocity = velocity_with(linear.coefficients);
+  solution.iterations = linear.iterations;
+  return solution;
 }
 
-StageSolution LoadStage::solution_of(const std::vector<LoadUnknowns>& x, int iterations) const
+// All but the velocity.
+StageSolution LoadStage::solution_of(const std::vector<LoadUnknowns>& x) const
 {
   StageSolution result;
-  result.iterations = iterations;
-  std::vector<Eigen::VectorXd> total;
   for (std::size_t v = 0; v < count(); ++v)
   {
     const VesicleLoads& own = loads(v);
-    total.emplace_back(known_load_[v] + load_of(v, x[v]));
     StageSolution::Part& part = result.vesicles.emplace_back();
     part.tension = x[v].tension;
     part.volume_speed = x[v].volume_speed;
@@ -331,14 +334,11 @@ StageSolution LoadStage::solution_of(const std::vector<LoadUnknowns>& x, int ite
     part.stiff_force = shape_.vesicles[v].stiff_force;
     Eigen::VectorXd change = reference_load_[v];
     if (implicit(v))
-      change = (change.size() > 0 ? change : Eigen::VectorXd::Zero(total[v].size())) +
+      change = (change.size() > 0 ? change : Eigen::VectorXd::Zero(known_load_[v].size())) +
         own.stiff_load(tau_, x[v].parameters);
     if (change.size() > 0)
       part.stiff_force += own.density(change);
   }
-  result.velocity = velocity_of(total, x);
-  if (!has_contrast())
-    result.velocity += shape_.imposed;
   return result;
 }
 

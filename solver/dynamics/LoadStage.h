@@ -87,7 +87,7 @@ private:
   Eigen::VectorXd velocity_of(const std::vector<Eigen::VectorXd>& loads,
     const std::vector<LoadUnknowns>& x, Precision precision = Precision::full) const;
 
-  StageSolution solution_of(const std::vector<LoadUnknowns>& x, int iterations) const;
+  StageSolution solution_of(const std::vector<LoadUnknowns>& x) const;
 
   const SystemShape& shape_;
   LayerMaps layers_;

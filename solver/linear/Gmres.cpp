@@ -22,7 +22,7 @@ GmresResult gmres(const InexactMap& A, const LinearMap& preconditioner, const Ei
   const double norm = b.norm();
   double target = wanted({});
   if (!(norm > target))
-    return { Eigen::VectorXd::Zero(b.size()), 0, norm > 0 ? 1. : 0., true };
+    return { Eigen::VectorXd::Zero(b.size()), {}, 0, norm > 0 ? 1. : 0., true };
 
   std::vector<Eigen::VectorXd> basis{ b / norm }, preconditioned;
   Eigen::MatrixXd R = Eigen::MatrixXd::Zero(max_iterations + 1, max_iterations);
@@ -69,7 +69,7 @@ GmresResult gmres(const InexactMap& A, const LinearMap& preconditioner, const Ei
   Eigen::VectorXd x = Eigen::VectorXd::Zero(b.size());
   for (int i = 0; i < k; ++i)
     x += y[i] * preconditioned[i];
-  return { x, k, std::abs(g[k]) / norm, std::abs(g[k]) <= target };
+  return { x, y, k, std::abs(g[k]) / norm, std::abs(g[k]) <= target };
 }
 
 }

@@ -19,6 +19,7 @@ using InexactMap = std::function<Eigen::VectorXd(const Eigen::VectorXd& x, doubl
 struct GmresResult
 {
   Eigen::VectorXd solution;
+  Eigen::VectorXd coefficients; ///< its own in the preconditioned basis
   int iterations = 0;
   double residual = 0; ///< ‖b − A x‖/‖b‖ as the recurrence estimates it
   bool converged = false;

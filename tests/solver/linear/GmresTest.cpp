@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace vesicle
 {
 namespace
@@ -48,17 +50,24 @@ TEST(Gmres, ErrorsThatAreAllowedDontCount)
   const Eigen::VectorXd b = Eigen::VectorXd::Random(n);
   const double wanted = 1e-10 * b.norm();
   double largest = 0;
+  std::vector<Eigen::VectorXd> images;
   const auto result = gmres(
     [&](const Eigen::VectorXd& x, double allowed) -> Eigen::VectorXd
     {
       largest = std::max(largest, allowed);
       const Eigen::VectorXd y = A * x;
-      return y + allowed * y.norm() * Eigen::VectorXd::Random(n).normalized();
+      images.push_back(y + allowed * y.norm() * Eigen::VectorXd::Random(n).normalized());
+      return images.back();
     },
     identity, b, [&](const Eigen::VectorXd&) { return wanted; }, n);
   EXPECT_TRUE(result.converged);
   EXPECT_GT(largest, 1e-3);
   EXPECT_LT((b - A * result.solution).norm(), 1.5 * wanted);
+  // What the images add up to is as good as another A x.
+  Eigen::VectorXd image = Eigen::VectorXd::Zero(n);
+  for (std::size_t i = 0; i < images.size(); ++i)
+    image += result.coefficients[static_cast<Eigen::Index>(i)] * images[i];
+  EXPECT_LT((image - A * result.solution).norm(), wanted);
 }
 
 TEST(Gmres, ZeroRightSideGivesZero)
