@@ -7,6 +7,7 @@
 #include "solver/mesh/MeshIntegrals.h"
 
 #include <cmath>
+#include <map>
 #include <numbers>
 
 namespace vesicle
@@ -98,8 +99,14 @@ double power(const VesicleShape& shape, const NodalForce& force, const Eigen::Ve
 StateReport::StateReport(const System& system, const Scales& scales, const LayerSettings& layer)
   : system_(system), scales_(scales), layer_(layer)
 {
+  std::map<const SurfaceSpace*, std::shared_ptr<const FlatPieces>> of_space;
   for (const Vesicle& vesicle : system.vesicles)
-    pieces_.emplace_back(*vesicle.space);
+  {
+    auto& pieces = of_space[vesicle.space.get()];
+    if (!pieces)
+      pieces = std::make_shared<const FlatPieces>(*vesicle.space);
+    pieces_.push_back(pieces);
+  }
 }
 
 Diagnostics StateReport::diagnose(
@@ -131,7 +138,7 @@ Diagnostics StateReport::diagnose(
   add_geometry(shape, d);
   add_power(shape, vesicle, system.part(system.imposed, number), d);
   add_shape(shape, d);
-  add_flow(shape, vesicle, pieces_[number], d);
+  add_flow(shape, vesicle, *pieces_[number], d);
   if (system_.wall)
     add_wall(shape, d);
   return d;

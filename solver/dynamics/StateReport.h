@@ -10,7 +10,9 @@
 #include "solver/surface/FlatPieces.h"
 
 #include <map>
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace vesicle
 {
@@ -45,7 +47,8 @@ private:
   const System& system_;
   Scales scales_;
   LayerSettings layer_;
-  std::vector<FlatPieces> pieces_; ///< of each vesicle
+  /// Of each vesicle; shared like its space.
+  std::vector<std::shared_ptr<const FlatPieces>> pieces_;
 };
 
 }
