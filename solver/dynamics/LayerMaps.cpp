@@ -16,14 +16,14 @@ namespace
 constexpr double most_direct_pairs = 1e8;
 
 template<PointKind kind>
-std::unique_ptr<const PointSum> far_sum(
-  const RowVectors& points, const Points& vertices, const LayerSettings& layer)
+std::unique_ptr<const PointSum> far_sum(const PointPlaces& places, const LayerSettings& layer)
 {
-  const double pairs = static_cast<double>(points.rows()) * static_cast<double>(vertices.rows());
+  const double pairs =
+    static_cast<double>(places.sources.rows()) * static_cast<double>(places.targets.rows());
   if (layer.method == LayerMethod::tree ||
     (layer.method == LayerMethod::automatic && pairs > most_direct_pairs))
-    return std::make_unique<TreePointSum<kind>>(points, vertices, layer.tree_tolerance);
-  return std::make_unique<DirectPointSum<kind>>(points, vertices);
+    return std::make_unique<TreePointSum<kind>>(places, layer.tree_tolerance);
+  return std::make_unique<DirectPointSum<kind>>(places.sources, places.targets);
 }
 
 Precision precision_of(LayerPrecision allowed, Precision enough)
@@ -37,8 +37,7 @@ ContrastMap contrast(const StokesOperator& surfaces, const std::vector<double>& 
   if (std::all_of(contrasts.begin(), contrasts.end(), [](double factor) { return factor == 0; }))
     return {};
   const auto layer = std::make_shared<const DoubleLayer>(surfaces, contrasts,
-    [&](const RowVectors& points, const Points& vertices)
-    { return far_sum<PointKind::stresslet>(points, vertices, settings); });
+    [&](const PointPlaces& places) { return far_sum<PointKind::stresslet>(places, settings); });
   return [layer, allowed = settings.precision](const std::vector<Eigen::VectorXd>& nodal,
            const Eigen::VectorXd& at_vertices, Precision precision)
   { return layer->apply(nodal, at_vertices, precision_of(allowed, precision)); };
@@ -49,8 +48,7 @@ LayerMap single_layer(const StokesOperator& layer, const LayerSettings& settings
   if (settings.method != LayerMethod::dense)
   {
     const auto sum = std::make_shared<const LayerSum>(layer,
-      [&](const RowVectors& points, const Points& vertices)
-      { return far_sum<PointKind::force>(points, vertices, settings); });
+      [&](const PointPlaces& places) { return far_sum<PointKind::force>(places, settings); });
     return [sum, allowed = settings.precision](
              const std::vector<Eigen::VectorXd>& densities, Precision precision)
     { return sum->apply(densities, precision_of(allowed, precision)); };
@@ -74,8 +72,7 @@ void add_images(const StokesOperator& surfaces, const std::vector<double>& contr
   const LayerPrecision allowed = settings.precision;
   const auto images = std::make_shared<const WallImages>(surfaces, wall, PointKind::force,
     std::vector<double>(contrasts.size(), 1),
-    [&](const RowVectors& points, const Points& vertices)
-    { return far_sum<PointKind::force_image>(points, vertices, settings); });
+    [&](const PointPlaces& places) { return far_sum<PointKind::force_image>(places, settings); });
   maps.single = [images, allowed, alone = std::move(maps.single)](
                   const std::vector<Eigen::VectorXd>& densities, Precision precision)
   {
@@ -87,8 +84,8 @@ void add_images(const StokesOperator& surfaces, const std::vector<double>& contr
     return;
   const auto of_contrast =
     std::make_shared<const WallImages>(surfaces, wall, PointKind::stresslet, contrasts,
-      [&](const RowVectors& points, const Points& vertices)
-      { return far_sum<PointKind::stresslet_image>(points, vertices, settings); });
+      [&](const PointPlaces& places)
+      { return far_sum<PointKind::stresslet_image>(places, settings); });
   maps.contrast = [of_contrast, allowed, alone = std::move(maps.contrast)](
                     const std::vector<Eigen::VectorXd>& nodal, const Eigen::VectorXd& at_vertices,
                     Precision precision)

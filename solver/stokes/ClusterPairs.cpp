@@ -14,10 +14,11 @@ struct Traversal
   void meet(int target, int source)
   {
     const Cluster &t = targets.clusters[target], &s = sources.clusters[source];
-    const bool whole_target = t.leaf() || is_far(s, t), whole_source = s.leaf() || is_far(t, s);
+    const bool whole_target = t.leaf() || (t.compact() && is_far(s, t)),
+               whole_source = s.leaf() || (s.compact() && is_far(t, s));
     if (whole_target && whole_source)
       acting[target].push_back(source);
-    else if (whole_target || (!whole_source && s.radius() > t.radius()))
+    else if (whole_target || (!whole_source && s.radius > t.radius))
       for (const int child : s.child)
         meet(target, child);
     else

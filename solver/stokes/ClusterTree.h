@@ -21,15 +21,20 @@ struct Cluster
   int begin, end;               ///< its points in ClusterTree::order
   std::array<int, 2> child;     ///< or no_child
   Eigen::Vector3d centre, half; ///< of the box, and half its sides
+  double radius;                ///< of its points around the centre
   Eigen::Matrix3d axes;         ///< of its sides, one a column
   std::array<int, 3> grid;      ///< proxy points along the sides
 
   static constexpr int no_child = -1;
   int points() const { return end - begin; }
   int proxies() const { return grid[0] * grid[1] * grid[2]; }
-  /// It has no more points than proxies: these are never needed, nor are smaller clusters.
+  /// Of one body and not worth proxies: smaller clusters are never needed.
   bool leaf() const { return child[0] == no_child; }
-  double radius() const { return half.norm(); }
+  /// So much fewer proxies than points pay for the way to them and back.
+  bool worth_proxies() const { return 3 * proxies() < 2 * points(); }
+  /// Its proxies are used.
+  bool compact() const { return !leaf() && worth_proxies(); }
+  Eigen::Vector3d longest() const; ///< the axis of its longest side
   /// Proxies by 3; along side 0 first.
   RowVectors proxy_positions() const;
   /// What the grid's points along a side weigh in the interpolation to points: #points by grid[side].
@@ -37,11 +42,12 @@ struct Cluster
 };
 
 /// Clusters lie after those that contain them, the first contains all points. The proxies' error is
-/// about `tolerance` of what the cluster does at far_distance and beyond. Clusters begin at multiples
-/// of `multiple`.
+/// about `tolerance` of what the cluster does at far_distance and beyond.
 struct ClusterTree
 {
-  ClusterTree(const RowVectors& points, double tolerance, int multiple);
+  /// `first`: of each body's points, which clusters hold as a whole or none of another's, and the number
+  /// of all; empty: of one body. Clusters of one body begin at a multiple of `multiple` in it.
+  ClusterTree(const RowVectors& points, std::vector<int> first, double tolerance, int multiple);
 
   std::vector<int> order; ///< the points' numbers
   std::vector<Cluster> clusters;

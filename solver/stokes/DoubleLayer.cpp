@@ -6,15 +6,14 @@
 namespace vesicle
 {
 
-std::unique_ptr<const PointSum> DoubleLayer::direct_sum(
-  const RowVectors& points, const Points& vertices)
+std::unique_ptr<const PointSum> DoubleLayer::direct_sum(const PointPlaces& places)
 {
-  return std::make_unique<DirectPointSum<PointKind::stresslet>>(points, vertices);
+  return std::make_unique<DirectPointSum<PointKind::stresslet>>(places.sources, places.targets);
 }
 
 DoubleLayer::DoubleLayer(
   const StokesOperator& layer, const std::vector<double>& factors, const MakePointSum& make_sum)
-  : sum_(make_sum(layer.sources(), layer.targets())), vertices_(layer.vertices())
+  : sum_(make_sum(layer.places())), vertices_(layer.vertices())
 {
   for (int s = 0; s < layer.surfaces(); ++s)
   {
@@ -28,7 +27,7 @@ DoubleLayer::DoubleLayer(
     const int own = surface.rules->vertices();
     source.own = layer.surfaces() == 1
       ? own_blocks(source, *sum_, own)
-      : own_blocks(source, *make_sum(at.surface.position, surface.vertices), own);
+      : own_blocks(source, *make_sum({ at.surface.position, surface.vertices }), own);
     points_ += static_cast<int>(at.weight.size());
     sources_.push_back(std::move(source));
   }

@@ -19,8 +19,7 @@ public:
   DoubleLayer(const StokesOperator& layer, const std::vector<double>& factors,
     const MakePointSum& make_sum = direct_sum);
 
-  static std::unique_ptr<const PointSum> direct_sum(
-    const RowVectors& points, const Points& vertices);
+  static std::unique_ptr<const PointSum> direct_sum(const PointPlaces& places);
 
   /// Σ_s factor_s K_s u at all vertices, 3N: u = Σ N_k u_k with 3 numbers a node of each surface,
   /// `at_vertices` (3N) what that is at the vertices. Threads share points and vertices; results do

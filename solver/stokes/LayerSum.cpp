@@ -5,14 +5,13 @@
 namespace vesicle
 {
 
-std::unique_ptr<const PointSum> LayerSum::direct_sum(
-  const RowVectors& points, const Points& vertices)
+std::unique_ptr<const PointSum> LayerSum::direct_sum(const PointPlaces& places)
 {
-  return std::make_unique<DirectSum>(points, vertices);
+  return std::make_unique<DirectSum>(places.sources, places.targets);
 }
 
 LayerSum::LayerSum(const StokesOperator& layer, const MakePointSum& make_sum)
-  : sum_(make_sum(layer.sources(), layer.targets())), vertices_(layer.vertices())
+  : sum_(make_sum(layer.places())), vertices_(layer.vertices())
 {
   for (int s = 0; s < layer.surfaces(); ++s)
   {

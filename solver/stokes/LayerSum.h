@@ -19,8 +19,7 @@ public:
   /// `make_sum`: what adds up all pairs of points and vertices.
   explicit LayerSum(const StokesOperator& layer, const MakePointSum& make_sum = direct_sum);
 
-  static std::unique_ptr<const PointSum> direct_sum(
-    const RowVectors& points, const Points& vertices);
+  static std::unique_ptr<const PointSum> direct_sum(const PointPlaces& places);
 
   /// Velocities at all vertices, 3N, of f = Σ N_k f_k: 3 numbers a node of each surface. Threads share
   /// points and vertices; results do not depend on their number.

@@ -33,9 +33,17 @@ public:
     Points& velocity) const = 0;
 };
 
+/// Where sources and targets are, one body's after the other's.
+struct PointPlaces
+{
+  RowVectors sources;
+  Points targets;
+  /// Of each body, and the number of all; empty: of one.
+  std::vector<int> first_source = {}, first_target = {};
+};
+
 /// What makes a sum between sources and targets.
-using MakePointSum =
-  std::function<std::unique_ptr<const PointSum>(const RowVectors& sources, const Points& targets)>;
+using MakePointSum = std::function<std::unique_ptr<const PointSum>(const PointPlaces&)>;
 
 /// The symmetric parts of a bᵀ, row by row: xx, xy, xz, yy, yz, zz.
 Eigen::Matrix<double, Eigen::Dynamic, 6> symmetric_products(

@@ -2,18 +2,25 @@
 
 #include "solver/ParallelFor.h"
 
+#include <algorithm>
+
 namespace vesicle
 {
 
 namespace
 {
 
+int padded(int count, int multiple)
+{
+  return (count + multiple - 1) / multiple * multiple;
+}
+
 // Where proxies are wanted, those of the halves carry on.
 void use_halves(const ClusterTree& tree, std::vector<bool>& used)
 {
   for (std::size_t c = 0; c < used.size(); ++c)
   {
-    used[c] = used[c] && !tree.clusters[c].leaf();
+    used[c] = used[c] && tree.clusters[c].compact();
     for (const int child : tree.clusters[c].child)
       if (used[c])
         used[child] = true;
@@ -39,38 +46,52 @@ std::vector<std::vector<int>> levels_of(const ClusterTree& tree, const std::vect
 
 }
 
+// Leaf by leaf.
+template<class Real>
+void ProxyTree<Real>::place_points(int multiple)
+{
+  std::vector<const Cluster*> leaves;
+  for (const Cluster& cluster : tree_.clusters)
+    if (cluster.leaf())
+      leaves.push_back(&cluster);
+  std::sort(leaves.begin(), leaves.end(),
+    [](const Cluster* a, const Cluster* b) { return a->begin < b->begin; });
+  int first = 0;
+  for (const Cluster* leaf : leaves)
+  {
+    for (int i = 0; i < leaf->points(); ++i)
+      point_row_.push_back(first + i);
+    first += padded(leaf->points(), multiple);
+  }
+  point_row_.push_back(first);
+}
+
 template<class Real>
 ProxyTree<Real>::ProxyTree(
   ClusterTree tree, const RowVectors& points, std::vector<bool> used, int multiple)
   : tree_(std::move(tree))
 {
   use_halves(tree_, used);
-  const auto padded = [&](int count) { return (count + multiple - 1) / multiple * multiple; };
-  const int n = static_cast<int>(points.rows());
-  int rows_of_all = padded(n);
+  place_points(multiple);
+  int rows_of_all = point_row_.back();
   for (std::size_t c = 0; c < used.size(); ++c)
   {
     first_proxy_.push_back(rows_of_all);
-    rows_of_all += used[c] ? padded(tree_.clusters[c].proxies()) : 0;
+    rows_of_all += used[c] ? padded(tree_.clusters[c].proxies(), multiple) : 0;
   }
 
   positions_.resize(rows_of_all, 3);
-  const auto fill = [&](RowRange at)
-  {
-    for (int i = at.first + at.count; i < at.first + padded(at.count); ++i)
-      positions_.row(i) = positions_.row(i - 1);
-  };
-  for (int i = 0; i < n; ++i)
-    positions_.row(i) = points.row(tree_.order[i]);
-  fill({ 0, n });
+  for (std::size_t i = 0; i < tree_.order.size(); ++i)
+    positions_.row(point_row_[i]) = points.row(tree_.order[i]);
   parallel_for(used.size(),
     [&](std::size_t c)
     {
       const RowRange at = rows(static_cast<int>(c));
-      if (!used[c])
-        return;
-      positions_.middleRows(at.first, at.count) = tree_.clusters[c].proxy_positions();
-      fill(at);
+      if (used[c])
+        positions_.middleRows(at.first, at.count) = tree_.clusters[c].proxy_positions();
+      if (used[c] || tree_.clusters[c].leaf())
+        for (int i = at.first + at.count; i < at.first + padded(at.count, multiple); ++i)
+          positions_.row(i) = positions_.row(i - 1);
     });
 
   for (const std::vector<int>& level : levels_of(tree_, used))
@@ -96,8 +117,10 @@ template<class Real>
 RowRange ProxyTree<Real>::rows(int c) const
 {
   const Cluster& cluster = tree_.clusters[c];
-  return cluster.leaf() ? RowRange{ cluster.begin, cluster.points() }
-                        : RowRange{ first_proxy_[c], cluster.proxies() };
+  if (cluster.compact())
+    return { first_proxy_[c], cluster.proxies() };
+  const int first = point_row_[cluster.begin];
+  return { first, point_row_[cluster.end - 1] + 1 - first };
 }
 
 template<class Real>
@@ -105,7 +128,7 @@ ThreeColumns<Real> ProxyTree<Real>::up(const RowVectors& forces) const
 {
   ThreeColumns<Real> all = ThreeColumns<Real>::Zero(positions_.rows(), 3);
   for (std::size_t i = 0; i < tree_.order.size(); ++i)
-    all.row(i) = forces.row(tree_.order[i]).template cast<Real>();
+    all.row(point_row_[i]) = forces.row(tree_.order[i]).template cast<Real>();
   for (auto level = levels_.rbegin(); level != levels_.rend(); ++level)
     parallel_for(level->size(),
       [&](std::size_t k)
@@ -131,7 +154,7 @@ void ProxyTree<Real>::down(ThreeColumns<Real> all, Points& velocities) const
             all.middleRows(at.half[h].first, at.half[h].count));
       });
   for (std::size_t i = 0; i < tree_.order.size(); ++i)
-    velocities.row(tree_.order[i]) += all.row(i).template cast<double>();
+    velocities.row(tree_.order[i]) += all.row(point_row_[i]).template cast<double>();
 }
 
 template class ProxyTree<float>;

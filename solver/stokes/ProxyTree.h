@@ -17,8 +17,8 @@ template<class Real>
 class ProxyTree
 {
 public:
-  /// `used`: of every cluster, whether its proxies are wanted. Ranges begin at multiples of `multiple`;
-  /// rows between them lie where the row before them does.
+  /// `used`: of every cluster, whether its proxies are wanted. Leaves and proxies begin at multiples of
+  /// `multiple`; rows between them lie where the row before them does.
   ProxyTree(ClusterTree tree, const RowVectors& points, std::vector<bool> used, int multiple);
 
   /// Of all rows.
@@ -40,7 +40,10 @@ private:
     std::array<RowRange, 2> half;
     std::array<ProxyInterpolation<Real>, 2> interpolation;
   };
+  void place_points(int multiple);
+
   ClusterTree tree_;
+  std::vector<int> point_row_; ///< of each point in the tree's order, and the number of their rows
   std::vector<int> first_proxy_; ///< row, of each cluster
   RowVectors positions_;
   std::vector<std::vector<Proxies>> levels_; ///< the whole first

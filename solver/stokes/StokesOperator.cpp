@@ -1,7 +1,6 @@
 #include "solver/stokes/StokesOperator.h"
 
 #include "solver/ParallelFor.h"
-#include "solver/stokes/PointSum.h"
 #include "solver/stokes/kernels/StokesletKernel.h"
 
 #include <algorithm>
@@ -250,19 +249,17 @@ struct LoadedPoints
 
 }
 
-RowVectors StokesOperator::sources() const
+PointPlaces StokesOperator::places() const
 {
-  Eigen::Index rows = 0;
+  PointPlaces places{ {}, targets(), { 0 }, first_ };
   for (const Rules& rules : points_)
-    rows += rules.regular.weight.size();
-  RowVectors positions(rows, 3);
-  Eigen::Index first = 0;
-  for (const Rules& rules : points_)
-  {
-    positions.middleRows(first, rules.regular.weight.size()) = rules.regular.surface.position;
-    first += rules.regular.weight.size();
-  }
-  return positions;
+    places.first_source.push_back(
+      places.first_source.back() + static_cast<int>(rules.regular.weight.size()));
+  places.sources.resize(places.first_source.back(), 3);
+  for (std::size_t s = 0; s < points_.size(); ++s)
+    places.sources.middleRows(places.first_source[s], points_[s].regular.weight.size()) =
+      points_[s].regular.surface.position;
+  return places;
 }
 
 Points StokesOperator::targets() const

@@ -7,6 +7,7 @@
 #include "solver/stokes/LayerCorrections.h"
 #include "solver/stokes/LayerRules.h"
 #include "solver/stokes/NearSurfaceCorrections.h"
+#include "solver/stokes/PointSum.h"
 
 #include <span>
 #include <vector>
@@ -77,9 +78,9 @@ public:
   const LayerSurface& surface(int source) const { return surfaces_[source]; }
   int first_vertex(int source) const { return first_[source]; }
   const LayerPoints& regular_points(int source) const { return points_[source].regular; }
-  /// The points of all surfaces' regular rules, one surface after the other.
-  RowVectors sources() const;
-  /// The vertices of all surfaces, N by 3.
+  /// The points of all surfaces' regular rules and the vertices of all.
+  PointPlaces places() const;
+  /// These alone, N by 3.
   Points targets() const;
 
 private:

@@ -9,12 +9,13 @@ namespace vesicle
 
 template<PointKind kind>
 template<class Real>
-TreePointSum<kind>::Tree<Real>::Tree(const RowVectors& from, const Points& to, double tolerance)
+TreePointSum<kind>::Tree<Real>::Tree(const PointPlaces& places, double tolerance)
 {
-  const Eigen::RowVector3d origin = summation_origin(kind, to);
-  const RowVectors sources_at = from.rowwise() - origin, targets_at = to.rowwise() - origin;
-  ClusterTree source_tree(sources_at, tolerance, sum_lanes),
-    target_tree(targets_at, tolerance, sum_lanes);
+  const Eigen::RowVector3d origin = summation_origin(kind, places.targets);
+  const RowVectors sources_at = places.sources.rowwise() - origin,
+                   targets_at = places.targets.rowwise() - origin;
+  ClusterTree source_tree(sources_at, places.first_source, tolerance, sum_lanes),
+    target_tree(targets_at, places.first_target, tolerance, sum_lanes);
   const std::vector<std::vector<int>> pairs = acting_clusters(target_tree, source_tree);
   std::vector<bool> acts(source_tree.clusters.size()), acted_on(target_tree.clusters.size());
   for (std::size_t t = 0; t < pairs.size(); ++t)
@@ -73,9 +74,8 @@ void TreePointSum<kind>::Tree<Real>::add(
 }
 
 template<PointKind kind>
-TreePointSum<kind>::TreePointSum(const RowVectors& sources, const Points& targets, double tolerance)
-  : full_(sources, targets, tolerance),
-    single_(sources, targets, std::max(tolerance, single_precision_error))
+TreePointSum<kind>::TreePointSum(const PointPlaces& places, double tolerance)
+  : full_(places, tolerance), single_(places, std::max(tolerance, single_precision_error))
 {
 }
 

@@ -18,7 +18,7 @@ class TreePointSum final : public PointSum
 public:
   /// `tolerance` is what Precision::full leaves, about, root mean square and relative to the velocity.
   /// With Precision::single clusters leave no less than single_precision_error, and so does rounding.
-  TreePointSum(const RowVectors& sources, const Points& targets, double tolerance);
+  TreePointSum(const PointPlaces& places, double tolerance);
   void add(const Eigen::Ref<const Eigen::MatrixXd>& strengths, Precision precision,
     Points& velocity) const override;
 
@@ -32,7 +32,7 @@ private:
   template<class Real>
   struct Tree
   {
-    Tree(const RowVectors& sources, const Points& targets, double tolerance);
+    Tree(const PointPlaces& places, double tolerance);
     void add(const Eigen::Ref<const Eigen::MatrixXd>& strengths, Points& velocity) const;
 
     std::unique_ptr<ProxyTree<Real>> sources, targets;

@@ -13,7 +13,9 @@ WallImages::WallImages(const StokesOperator& layer, const Wall& wall, PointKind 
 {
   const PointKind of_images =
     kind == PointKind::force ? PointKind::force_image : PointKind::stresslet_image;
-  const Points targets = frame_.positions(layer.targets());
+  PointPlaces places = layer.places();
+  places.targets = frame_.positions(places.targets);
+  const Points& targets = places.targets;
   const std::vector<VertexGroup> vertices{ { 0, &targets, bounding_box(targets) } };
   std::vector<LayerPoints> points;
   for (int s = 0; s < layer.surfaces(); ++s)
@@ -37,11 +39,10 @@ WallImages::WallImages(const StokesOperator& layer, const Wall& wall, PointKind 
       source.near.emplace(NearSurfaceCorrections(
         { rules, regular, LayerPoints(rules.near().table, control) }, targets, near, of_images));
   }
-  RowVectors positions(points_, 3);
   for (std::size_t s = 0; s < sources_.size(); ++s)
-    positions.middleRows(sources_[s].first_point, sources_[s].weight.size()) =
+    places.sources.middleRows(sources_[s].first_point, sources_[s].weight.size()) =
       points[s].surface.position;
-  sum_ = make_sum(positions, targets);
+  sum_ = make_sum(places);
 }
 
 Points WallImages::mirrored(const Source& source, const Eigen::VectorXd& nodal) const

@@ -126,7 +126,7 @@ void tree_sum(benchmark::State& state, double tolerance)
   const RowVectors sources = spiral(static_cast<int>(2 * state.range(0) / 3), 1),
                    forces = RowVectors::Ones(sources.rows(), 3);
   const Points targets = spiral(static_cast<int>(state.range(0) / 3), 1.01);
-  const TreeSum sum(sources, targets, tolerance);
+  const TreeSum sum({ sources, targets }, tolerance);
   Points velocity = Points::Zero(targets.rows(), 3);
   for (auto _ : state)
     sum.add(forces, Precision::full, velocity);

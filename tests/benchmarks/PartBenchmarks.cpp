@@ -21,9 +21,9 @@ namespace vesicle::benchmarks
 namespace
 {
 
-std::unique_ptr<const PointSum> tree_sum(const RowVectors& points, const Points& vertices)
+std::unique_ptr<const PointSum> tree_sum(const PointPlaces& places)
 {
-  return std::make_unique<TreeSum>(points, vertices, LayerSettings{}.tree_tolerance);
+  return std::make_unique<TreeSum>(places, LayerSettings{}.tree_tolerance);
 }
 
 /// A stage as the stepper poses it, with all that solves it.

@@ -20,9 +20,9 @@ namespace
 using test::Field;
 using Body = test::LoopBody;
 
-std::unique_ptr<const PointSum> tree_sum(const RowVectors& points, const Points& vertices)
+std::unique_ptr<const PointSum> tree_sum(const PointPlaces& places)
 {
-  return std::make_unique<TreePointSum<PointKind::stresslet>>(points, vertices, 1e-6);
+  return std::make_unique<TreePointSum<PointKind::stresslet>>(places, 1e-6);
 }
 
 Eigen::VectorXd double_layer(

@@ -170,9 +170,8 @@ TEST(NearSurfaces, MatrixSumAndTreeAgree)
     u += S * densities.back();
   }
   EXPECT_LT((LayerSum(layer).apply(densities) - u).norm(), 1e-13 * u.norm());
-  const LayerSum by_tree(layer,
-    [](const RowVectors& from, const Points& to)
-    { return std::make_unique<TreeSum>(from, to, 1e-7); });
+  const LayerSum by_tree(
+    layer, [](const PointPlaces& places) { return std::make_unique<TreeSum>(places, 1e-7); });
   EXPECT_LT((by_tree.apply(densities) - u).norm(), 1e-7 * u.norm());
 }
 

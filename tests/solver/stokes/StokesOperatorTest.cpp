@@ -190,9 +190,8 @@ TEST(LayerSum, IsTheWholeMatrixApplied)
     EXPECT_LT(
       (sum.apply(densities, Precision::single) - u).norm(), single_precision_error * u.norm())
       << points;
-    const LayerSum by_tree(layer,
-      [](const RowVectors& from, const Points& to)
-      { return std::make_unique<TreeSum>(from, to, 1e-7); });
+    const LayerSum by_tree(
+      layer, [](const PointPlaces& places) { return std::make_unique<TreeSum>(places, 1e-7); });
     EXPECT_LT((by_tree.apply(densities) - u).norm(), 1e-7 * u.norm()) << points;
   }
 }

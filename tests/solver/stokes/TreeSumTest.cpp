@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
 
+#include <algorithm>
 #include <functional>
+#include <map>
 #include <random>
 
 namespace vesicle
@@ -79,7 +81,7 @@ TEST(TreeSum, LeavesTheToleranceAskedFor)
       const Points targets = normal_rows(5003, 3, scatter.map);
       const Points exact = direct(sources, forces, targets);
       Points velocity = Points::Zero(targets.rows(), 3);
-      TreeSum(sources, targets, tolerance).add(forces, Precision::full, velocity);
+      TreeSum({ sources, targets }, tolerance).add(forces, Precision::full, velocity);
       EXPECT_LT(relative_error(velocity, exact), tolerance) << scatter.name << " " << tolerance;
     }
 }
@@ -92,7 +94,7 @@ TEST(TreeSum, AddsToTheVelocitiesInBothPrecisions)
                    forces = normal_rows(20000, 2).cwiseAbs();
   const Points targets = normal_rows(5000, 3, banana), start = Points::Constant(5000, 3, 7);
   const Points exact = direct(sources, forces, targets);
-  const TreeSum sum(sources, targets, 1e-7);
+  const TreeSum sum({ sources, targets }, 1e-7);
   Points full = start, single = start;
   sum.add(forces, Precision::full, full);
   sum.add(forces, Precision::single, single);
@@ -108,7 +110,7 @@ TEST(TreeSum, FewPointsAreSummedExactly)
     const RowVectors at = normal_rows(sources, 1), forces = normal_rows(sources, 2);
     const Points to = normal_rows(targets, 3), exact = direct(at, forces, to);
     Points velocity = Points::Zero(targets, 3);
-    TreeSum(at, to, 1e-7).add(forces, Precision::full, velocity);
+    TreeSum({ at, to }, 1e-7).add(forces, Precision::full, velocity);
     EXPECT_LT(relative_error(velocity, exact), 1e-14) << sources << " " << targets;
   }
 }
@@ -121,11 +123,11 @@ TEST(TreeSum, TakesAnyPoints)
   RowVectors sources = normal_rows(3000, 1);
   sources.topRows(2500).rowwise() = Eigen::RowVector3d(1, 2, 3);
   Points velocity = Points::Zero(3000, 3);
-  TreeSum(sources, targets, 1e-7).add(forces, Precision::full, velocity);
+  TreeSum({ sources, targets }, 1e-7).add(forces, Precision::full, velocity);
   EXPECT_LT(relative_error(velocity, direct(sources, forces, targets)), 1e-7);
 
   sources(17, 1) = std::numeric_limits<double>::quiet_NaN();
-  TreeSum(sources, targets, 1e-7).add(forces, Precision::full, velocity);
+  TreeSum({ sources, targets }, 1e-7).add(forces, Precision::full, velocity);
   EXPECT_FALSE(velocity.allFinite());
 }
 
@@ -138,36 +140,103 @@ TEST(TreeSum, DoesNotDependOnTheNumberOfThreads)
   for (const int threads : { 1, 4 })
   {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    TreeSum(sources, targets, 1e-6).add(forces, Precision::full, velocity[threads > 1]);
+    TreeSum({ sources, targets }, 1e-6).add(forces, Precision::full, velocity[threads > 1]);
   }
   EXPECT_EQ(velocity[0], velocity[1]);
 }
 
+// A lattice of ellipsoids nearly touching, of different numbers of points.
+struct Bodies
+{
+  RowVectors positions{ 0, 3 };
+  std::vector<int> first{ 0 };
+
+  Bodies(int fewest, unsigned seed)
+  {
+    for (int i = 0; i < 27; ++i)
+    {
+      const Eigen::RowVector3d center(i % 3, i / 3 % 3, i / 9);
+      const int count = fewest + 7 * i;
+      positions.conservativeResize(first.back() + count, 3);
+      positions.bottomRows(count) = normal_rows(count, seed + i,
+        [&](const Eigen::RowVector3d& x) -> Eigen::RowVector3d
+        { return 2.3 * center + x.normalized().cwiseProduct(Eigen::RowVector3d(1.1, 0.9, 0.7)); });
+      first.push_back(first.back() + count);
+    }
+  }
+};
+
+TEST(TreeSum, TakesBodiesAsClusters)
+{
+  const Bodies sources(900, 1), targets(150, 100);
+  const RowVectors forces = normal_rows(sources.first.back(), 2);
+  const Points exact = direct(sources.positions, forces, targets.positions);
+  for (const double tolerance : { 1e-4, 1e-6, 1e-8 })
+  {
+    Points velocity = Points::Zero(targets.first.back(), 3);
+    TreeSum({ sources.positions, targets.positions, sources.first, targets.first }, tolerance)
+      .add(forces, Precision::full, velocity);
+    EXPECT_LT(relative_error(velocity, exact), tolerance);
+  }
+}
+
+TEST(ClusterTree, NoClusterHoldsPartsOfTwoBodies)
+{
+  const Bodies bodies(150, 1);
+  const ClusterTree tree(bodies.positions, bodies.first, 1e-6, 16);
+  const auto body_of = [&](int point)
+  {
+    return std::upper_bound(bodies.first.begin(), bodies.first.end(), point) -
+      bodies.first.begin() - 1;
+  };
+  for (const Cluster& cluster : tree.clusters)
+  {
+    std::map<std::ptrdiff_t, int> held;
+    for (int i = cluster.begin; i < cluster.end; ++i)
+      ++held[body_of(tree.order[i])];
+    for (const auto& [body, points] : held)
+      EXPECT_TRUE(held.size() == 1 || points == bodies.first[body + 1] - bodies.first[body]);
+    for (int i = cluster.begin; i < cluster.end; ++i)
+      EXPECT_LE(
+        (bodies.positions.row(tree.order[i]).transpose() - cluster.centre).norm(), cluster.radius);
+  }
+  std::vector<int> all = tree.order;
+  std::sort(all.begin(), all.end());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    EXPECT_EQ(all[i], static_cast<int>(i));
+}
+
 TEST(ClusterPairs, CountEveryPairOnce)
 {
-  for (const Scatter& scatter : scatters())
+  const auto count = [](const ClusterTree& targets, const ClusterTree& sources)
   {
-    const ClusterTree sources(normal_rows(2000, 1, scatter.map), 1e-4, 16),
-      targets(normal_rows(1000, 2, scatter.map), 1e-4, 16);
-    Eigen::MatrixXi pairs = Eigen::MatrixXi::Zero(1000, 2000);
+    Eigen::MatrixXi pairs = Eigen::MatrixXi::Zero(
+      static_cast<int>(targets.order.size()), static_cast<int>(sources.order.size()));
     const std::vector<std::vector<int>> acting = acting_clusters(targets, sources);
     for (std::size_t t = 0; t < acting.size(); ++t)
       for (const int s : acting[t])
       {
         const Cluster &to = targets.clusters[t], &from = sources.clusters[s];
-        EXPECT_TRUE(to.leaf() || is_far(from, to));
-        EXPECT_TRUE(from.leaf() || is_far(to, from));
+        EXPECT_TRUE(to.leaf() || (to.compact() && is_far(from, to)));
+        EXPECT_TRUE(from.leaf() || (from.compact() && is_far(to, from)));
         pairs.block(to.begin, from.begin, to.points(), from.points()).array() += 1;
       }
-    EXPECT_TRUE((pairs.array() == 1).all()) << scatter.name;
-  }
+    return (pairs.array() == 1).all();
+  };
+  for (const Scatter& scatter : scatters())
+    EXPECT_TRUE(count(ClusterTree(normal_rows(1000, 2, scatter.map), {}, 1e-4, 16),
+      ClusterTree(normal_rows(2000, 1, scatter.map), {}, 1e-4, 16)))
+      << scatter.name;
+  const Bodies sources(90, 1), targets(50, 100);
+  EXPECT_TRUE(count(ClusterTree(targets.positions, targets.first, 1e-2, 16),
+    ClusterTree(sources.positions, sources.first, 1e-2, 16)));
 }
 
 // The grid's weights are those of the polynomial that interpolates.
 TEST(ClusterTree, ProxiesInterpolatePolynomials)
 {
   const RowVectors points = normal_rows(2000, 1, scatters()[1].map);
-  const ClusterTree tree(points, 1e-6, 16);
+  const ClusterTree tree(points, {}, 1e-6, 16);
   const auto polynomial = [](const RowVectors& x)
   { return (x.col(0).array().square() - 2 * x.col(1).array() * x.col(2).array() + 1).eval(); };
   for (const Cluster& cluster : tree.clusters)

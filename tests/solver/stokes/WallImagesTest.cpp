@@ -206,7 +206,7 @@ void expect_sums_give_the_formula()
     const DirectPointSum<kind> sum(sources.position, at);
     sum.add(sources.strengths(stresslets), Precision::full, full);
     sum.add(sources.strengths(stresslets), Precision::single, single);
-    TreePointSum<kind>(sources.position, at, 1e-7)
+    TreePointSum<kind>({ sources.position, at }, 1e-7)
       .add(sources.strengths(stresslets), Precision::full, tree);
     EXPECT_LT((full - exact).norm(), 1e-13 * exact.norm()) << targets;
     EXPECT_LT((single - exact).norm(), single_precision_error * exact.norm()) << targets;
@@ -256,9 +256,9 @@ TriangleMesh sphere_over_wall(int triangles, double gap)
 }
 
 template<PointKind kind>
-std::unique_ptr<const PointSum> direct(const RowVectors& sources, const Points& targets)
+std::unique_ptr<const PointSum> direct(const PointPlaces& places)
 {
-  return std::make_unique<DirectPointSum<kind>>(sources, targets);
+  return std::make_unique<DirectPointSum<kind>>(places.sources, places.targets);
 }
 
 /// The images of S f or K u at the body's own vertices.
