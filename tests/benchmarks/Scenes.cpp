@@ -20,7 +20,7 @@ Scene endless(const std::string& name, int triangles)
 }
 
 Run::Run(const Scene& scene, int steps)
-  : simulation(scene, make_start_mesh(scene)), state(simulation.start())
+  : simulation(scene, make_start_meshes(scene)), state(simulation.start())
 {
   for (int i = 0; i < steps; ++i)
     step();
