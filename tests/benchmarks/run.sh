@@ -28,6 +28,9 @@ for size in 320 1280 5120; do
   measure "parts-$size" 1 "^Part/.*/$size/"
   steps=$((steps / 2))
 done
+for side in 1 2 4; do
+  measure "several-$side" 3 "^Several/step/side:$side/threads:2"
+done
 measure terms 3 '^Term/' $mixed
 
 if [ "${1:-}" = --long ]; then
@@ -42,8 +45,9 @@ if [ "${1:-}" = --long ]; then
   memory=$(awk '/MemAvailable/ { print int($2 / 1e6) }' /proc/meminfo)
   if [ "$taken" -le 30 ] && [ "$memory" -ge 12 ]; then
     measure steps-81920 1 '^Step/pear/81920/threads:2'
+    measure several-8 1 '^Several/step/side:8/threads:2'
   else
-    echo "Left out: 81,920 triangles (20,480 took $taken s of 30, memory is $memory GB of 12)"
+    echo "Left out: 81,920 triangles and 512 vesicles (20,480 took $taken s of 30, memory is $memory GB of 12)"
   fi
 fi
 

@@ -22,6 +22,8 @@ PRECISIONS = ["double", "single"]
 
 STEP_GOALS = {320: 4, 1280: 25, 5120: 250, 20480: 2000}  # milliseconds
 MEMORY_GOALS = {320: 100, 1280: 250, 5120: 800, 20480: 3000}  # MB
+SIDES = [1, 2, 4, 8]  # of cubes of vesicles
+SEVERAL_GOALS = {64: (2000, 2000)}  # vesicles: milliseconds, MB
 PROCESSORS_GOAL = 1.8  # of two, from 1,280 triangles on
 KERNEL_GOAL = 0.85  # of the loop written by hand
 PAPER_GOAL = 100  # times the time of the default preset
@@ -225,6 +227,27 @@ def resource_table(measured, goals):
     return table(header, rows) if rows else []
 
 
+def several_table(measured, goals):
+    rows, before = [], None
+    for side in SIDES:
+        name, count = f"Several/step/side:{side}/threads:{THREADS}", side**3
+        if not measured.has(name):
+            continue
+        wall, cpu = measured.wall(name), measured.cpu(name)
+        memory = measured.least(name, "memory") / 1e6
+        exponent = math.log(cpu / before[1]) / math.log(count / before[0]) if before else None
+        before = count, cpu
+        time_goal, memory_goal = SEVERAL_GOALS.get(count, (None, None))
+        rows.append([number(count), number(wall), given(time_goal), number(cpu / count), given(exponent),
+                     number(measured.median(name, "gmres")), number(memory), given(memory_goal)])
+        if time_goal:
+            goals.at_most(f"step, {count:,} vesicles", wall, time_goal, " ms")
+            goals.at_most(f"memory, {count:,} vesicles", memory, memory_goal, " MB")
+    header = ["vesicles", "ms a step", "goal", "CPU ms a vesicle", "exponent", "iterations", "memory, MB",
+              "goal"]
+    return table(header, rows) if rows else []
+
+
 def part_table(measured):
     sizes = sizes_with(measured, lambda size: f"Part/solve/{size}")
     rows = []
@@ -292,6 +315,7 @@ def report(measured):
         ("Kernels", kernel_table(measured, goals)),
         ("Steps", step_table(measured, goals)),
         ("What a pear's step takes", resource_table(measured, goals)),
+        ("Several vesicles of 320 triangles", several_table(measured, goals)),
         ("What it is made of", part_table(measured)),
         ("Terms, 1,280 triangles", term_table(measured)),
         ("The paper's scheme", paper_table(measured, goals)),
