@@ -40,8 +40,11 @@ public:
     alone_ = std::make_unique<const LayerSum>(layer);
     images_ =
       std::make_unique<const WallImages>(layer, ground, PointKind::force, std::vector<double>{ 1 },
-        [](const RowVectors& points, const Points& vertices)
-        { return std::make_unique<DirectPointSum<PointKind::force_image>>(points, vertices); });
+        [](const PointPlaces& places)
+        {
+          return std::make_unique<DirectPointSum<PointKind::force_image>>(
+            places.sources, places.targets);
+        });
   }
 
   /// The force on the fluid of the sphere as a rigid body with the velocity U, over 6πμ: by the
