@@ -43,12 +43,12 @@ std::vector<Point3> point_normals(vtkPolyData* surface);
 /// missing, has neither 1 nor 3 components, or holds a value that is not finite.
 vtkDataArray* finite_point_array(vtkPolyData* surface, const std::string& name);
 
-/// So many of the surface's points, or all: each next one is the farthest from those before.
-std::vector<long long> spread_points(vtkPolyData* surface, int count);
-
 /// The same of three components; `what`: is drawn of it, for the error where it has another number.
 vtkDataArray* finite_vectors(
   vtkPolyData* surface, const std::string& name, const std::string& what);
+
+/// So many of the surface's points, or all: each next one is the farthest from those before.
+std::vector<long long> spread_points(vtkPolyData* surface, int count);
 
 /// A component's value, or the magnitude of a vector.
 double scalar_value(vtkDataArray* array, long long point);

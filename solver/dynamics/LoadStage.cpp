@@ -320,7 +320,7 @@ StageSolution LoadStage::solve(const std::vector<LocalPreconditioner>& precondit
   return solution;
 }
 
-// All but the velocity.
+// All but the velocity and the number of iterations.
 StageSolution LoadStage::solution_of(const std::vector<LoadUnknowns>& x) const
 {
   StageSolution result;

@@ -41,8 +41,8 @@ struct Cluster
   Eigen::MatrixXd weights(int side, const RowVectors& points) const;
 };
 
-/// Clusters lie after those that contain them, the first contains all points. The proxies' error is
-/// about `tolerance` of what the cluster does at far_distance and beyond.
+/// Clusters lie after those that contain them, the first contains all points; leaves lie in the order of
+/// their points. The proxies' error is about `tolerance` of what the cluster does at far_distance and beyond.
 struct ClusterTree
 {
   /// `first`: of each body's points, which clusters hold as a whole or none of another's, and the number

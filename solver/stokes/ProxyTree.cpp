@@ -2,8 +2,6 @@
 
 #include "solver/ParallelFor.h"
 
-#include <algorithm>
-
 namespace vesicle
 {
 
@@ -46,23 +44,18 @@ std::vector<std::vector<int>> levels_of(const ClusterTree& tree, const std::vect
 
 }
 
-// Leaf by leaf.
+// Leaf by leaf, which lie in the order of their points.
 template<class Real>
 void ProxyTree<Real>::place_points(int multiple)
 {
-  std::vector<const Cluster*> leaves;
+  int first = 0;
   for (const Cluster& cluster : tree_.clusters)
     if (cluster.leaf())
-      leaves.push_back(&cluster);
-  std::sort(leaves.begin(), leaves.end(),
-    [](const Cluster* a, const Cluster* b) { return a->begin < b->begin; });
-  int first = 0;
-  for (const Cluster* leaf : leaves)
-  {
-    for (int i = 0; i < leaf->points(); ++i)
-      point_row_.push_back(first + i);
-    first += padded(leaf->points(), multiple);
-  }
+    {
+      for (int i = 0; i < cluster.points(); ++i)
+        point_row_.push_back(first + i);
+      first += padded(cluster.points(), multiple);
+    }
   point_row_.push_back(first);
 }
 

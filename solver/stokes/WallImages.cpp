@@ -17,16 +17,16 @@ WallImages::WallImages(const StokesOperator& layer, const Wall& wall, PointKind 
   places.targets = frame_.positions(places.targets);
   const Points& targets = places.targets;
   const std::vector<VertexGroup> vertices{ { 0, &targets, bounding_box(targets) } };
-  std::vector<LayerPoints> points;
   for (int s = 0; s < layer.surfaces(); ++s)
   {
     const LayerSurface& surface = layer.surface(s);
     const LayerRules& rules = *surface.rules;
     const Points control = frame_.mirrored_positions(surface.control);
-    const LayerPoints& regular = points.emplace_back(rules.regular().table, control);
+    const LayerPoints regular(rules.regular().table, control);
     const double factor = factors[s] * (kind == PointKind::force ? 1 : double_layer_factor);
     Source& source = sources_.emplace_back(
       Source{ &rules.regular().table, factor, factor * regular.weight, {}, points_, {}, {} });
+    places.sources.middleRows(points_, source.weight.size()) = regular.surface.position;
     points_ += static_cast<int>(source.weight.size());
     if (kind == PointKind::stresslet)
     {
@@ -39,9 +39,6 @@ WallImages::WallImages(const StokesOperator& layer, const Wall& wall, PointKind 
       source.near.emplace(NearSurfaceCorrections(
         { rules, regular, LayerPoints(rules.near().table, control) }, targets, near, of_images));
   }
-  for (std::size_t s = 0; s < sources_.size(); ++s)
-    places.sources.middleRows(sources_[s].first_point, sources_[s].weight.size()) =
-      points[s].surface.position;
   sum_ = make_sum(places);
 }
 

@@ -3,6 +3,8 @@
 #include "solver/scene/SceneFile.h"
 #include "solver/simulation/StartMesh.h"
 
+#include <map>
+
 namespace vesicle::benchmarks
 {
 
@@ -24,6 +26,12 @@ Run::Run(const Scene& scene, int steps)
 {
   for (int i = 0; i < steps; ++i)
     step();
+}
+
+Run& kept_run(const std::string& name, const Scene& scene)
+{
+  static std::map<std::string, Run> runs;
+  return runs.try_emplace(name, scene).first->second;
 }
 
 }

@@ -24,4 +24,8 @@ struct Run
   State state;
 };
 
+/// The run of that name that the last repetition left, or its start. All are kept, as repetitions may be
+/// mixed.
+Run& kept_run(const std::string& name, const Scene& scene);
+
 }

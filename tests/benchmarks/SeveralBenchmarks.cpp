@@ -2,9 +2,9 @@
 #include "tests/benchmarks/Measuring.h"
 #include "tests/benchmarks/Scenes.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <map>
-#include <utility>
 
 namespace vesicle::benchmarks
 {
@@ -22,20 +22,12 @@ Scene lattice(int side)
   const Scene::Companion one = scene.companion();
   for (int i = 0; i < side * side * side; ++i)
   {
-    const Eigen::Vector3d cell(i % side, i / side % side, i / side / side);
-    const Eigen::Vector3d at = spacing * (cell.array() - (side - 1) / 2.).matrix();
-    const Eigen::Vector3d axis(std::sin(1. + i), std::cos(2.3 * i), std::sin(3.7 * i + 1));
-    Scene::Vesicle vesicle = one.vesicle;
-    vesicle.center = { at.x(), at.y(), at.z() };
-    const Eigen::Vector3d unit = axis.normalized();
-    vesicle.axis = { unit.x(), unit.y(), unit.z() };
-    if (i == 0)
-      scene.vesicle = vesicle;
-    else
-    {
+    if (i > 0)
       scene.companions.push_back(one);
-      scene.companions.back().vesicle = vesicle;
-    }
+    Scene::Vesicle& vesicle = i > 0 ? scene.companions.back().vesicle : scene.vesicle;
+    const Vector3 cell(i % side, i / side % side, i / side / side);
+    vesicle.center = spacing * (cell.array() - (side - 1) / 2.).matrix();
+    vesicle.axis = Vector3(std::sin(1. + i), std::cos(2.3 * i), std::sin(3.7 * i + 1)).normalized();
   }
   return scene;
 }
@@ -43,10 +35,9 @@ Scene lattice(int side)
 // Repetitions are the next steps of a run, as in StepBenchmarks.cpp.
 void step(benchmark::State& state)
 {
-  static std::map<std::pair<int, int>, Run> runs;
   const auto side = static_cast<int>(state.range(0)), threads = static_cast<int>(state.range(1));
   const Threads limit(threads);
-  Run& run = runs.try_emplace({ side, threads }, lattice(side)).first->second;
+  Run& run = kept_run(fmt::format("several {} {}", side, threads), lattice(side));
   for (auto _ : state)
     run.step();
   state.counters["vesicles"] = side * side * side;

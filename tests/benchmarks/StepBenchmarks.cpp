@@ -5,20 +5,12 @@
 
 #include <fmt/format.h>
 
-#include <map>
 #include <string>
 
 namespace vesicle::benchmarks
 {
 namespace
 {
-
-/// The run that the last repetition left, or its start. All are kept, as repetitions may be mixed.
-Run& run_of(const std::string& name, const Scene& scene)
-{
-  static std::map<std::string, Run> runs;
-  return runs.try_emplace(name, scene).first->second;
-}
 
 void step(benchmark::State& state, const std::string& name, Scene::Preset preset)
 {
@@ -28,7 +20,7 @@ void step(benchmark::State& state, const std::string& name, Scene::Preset preset
   Scene scene = endless(name, triangles);
   scene.accuracy = Scene::preset(preset);
   Run& run =
-    run_of(fmt::format("{} {} {} {}", name, static_cast<int>(preset), triangles, threads), scene);
+    kept_run(fmt::format("{} {} {} {}", name, static_cast<int>(preset), triangles, threads), scene);
   for (auto _ : state)
     run.step();
   state.counters["gmres"] = static_cast<double>(run.state.iterations);

@@ -179,8 +179,8 @@ def lower_bound(measured, size):
     if not measured.has(solve) or not sets:
         return None
     double, single = (measured.median(solve, f"applies_{p}") for p in PRECISIONS)
-    # Both stages begin with the velocity of the first guess and end with that of the solution.
-    applies = measured.median(step("pear", size), "gmres") + 4
+    # Both stages begin with the velocity of the first guess.
+    applies = measured.median(step("pear", size), "gmres") + 2
     seconds_a_pair = sum(
         share / measured.best(f"ByHand/{sets[0]}/{precision}", "pairs/s")
         for precision, share in zip(PRECISIONS, (double, single))) / (double + single)

@@ -200,6 +200,7 @@ TEST(ClusterTree, NoClusterHoldsPartsOfTwoBodies)
       EXPECT_LE(
         (bodies.positions.row(tree.order[i]).transpose() - cluster.centre).norm(), cluster.radius);
   }
+  EXPECT_TRUE(tree.clusters.front().compact()); // of all bodies
   std::vector<int> all = tree.order;
   std::sort(all.begin(), all.end());
   for (std::size_t i = 0; i < all.size(); ++i)
