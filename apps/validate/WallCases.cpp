@@ -57,7 +57,7 @@ public:
       {
         const std::vector<Eigen::VectorXd> density{ collocation_.to_control(f) };
         Eigen::VectorXd u = alone_->apply(density);
-        images_->add(density, Precision::full, u);
+        images_->add(density, 0, u);
         return u;
       },
       [](const Eigen::VectorXd& r) { return r; }, velocity, 1e-7, 300);

@@ -18,10 +18,10 @@ InnerFlow::InnerFlow(
 {
 }
 
-Eigen::VectorXd InnerFlow::velocity_of(const Eigen::VectorXd& load, Precision precision) const
+Eigen::VectorXd InnerFlow::velocity_of(const Eigen::VectorXd& load, double allowed) const
 {
   const Surface& surface = loads_.surface();
-  return layers_.single({ loads_.density(load) }, precision) +
+  return layers_.single({ loads_.density(load) }, allowed) +
     loads_.normal().dot(load) / surface.area * flat(surface.normals);
 }
 
@@ -32,16 +32,12 @@ Eigen::VectorXd InnerFlow::traction(const Eigen::VectorXd& velocity) const
   constexpr int max_iterations = 200;
   const Surface& surface = loads_.surface();
   const Eigen::VectorXd left =
-    velocity / 2 - layers_.contrast({ surface.to_control(velocity) }, velocity, Precision::full);
-  const GmresResult result = gmres(
-    [&](const Eigen::VectorXd& load, double allowed)
-    {
-      return velocity_of(
-        load, allowed > single_precision_error ? Precision::single : Precision::full);
-    },
-    [&](const Eigen::VectorXd& residual) -> Eigen::VectorXd
-    { return flat(Points(layer_inverse_ * rows_of_three(surface.to_control(residual)))); },
-    left, [&](const Eigen::VectorXd&) { return tolerance * velocity.norm(); }, max_iterations);
+    velocity / 2 - layers_.contrast({ surface.to_control(velocity) }, velocity, 0);
+  const GmresResult result =
+    gmres([&](const Eigen::VectorXd& load, double allowed) { return velocity_of(load, allowed); },
+      [&](const Eigen::VectorXd& residual) -> Eigen::VectorXd
+      { return flat(Points(layer_inverse_ * rows_of_three(surface.to_control(residual)))); },
+      left, [&](const Eigen::VectorXd&) { return tolerance * velocity.norm(); }, max_iterations);
   if (!result.converged)
     throw NumericalError(
       fmt::format("the traction of the flow inside did not converge: residual {:.1e} after {} "

@@ -23,7 +23,7 @@ public:
 
 private:
   /// S of a load, and the flux that S makes no velocity of.
-  Eigen::VectorXd velocity_of(const Eigen::VectorXd& load, Precision precision) const;
+  Eigen::VectorXd velocity_of(const Eigen::VectorXd& load, double allowed) const;
 
   const VesicleLoads& loads_;
   LayerMaps layers_;

@@ -26,9 +26,9 @@ std::unique_ptr<const PointSum> far_sum(const PointPlaces& places, const LayerSe
   return std::make_unique<DirectPointSum<kind>>(places.sources, places.targets);
 }
 
-Precision precision_of(LayerPrecision allowed, Precision enough)
+double error_of(LayerPrecision precision, double allowed)
 {
-  return allowed == LayerPrecision::mixed ? enough : Precision::full;
+  return precision == LayerPrecision::mixed ? allowed : 0;
 }
 
 ContrastMap contrast(const StokesOperator& surfaces, const std::vector<double>& contrasts,
@@ -38,9 +38,9 @@ ContrastMap contrast(const StokesOperator& surfaces, const std::vector<double>& 
     return {};
   const auto layer = std::make_shared<const DoubleLayer>(surfaces, contrasts,
     [&](const PointPlaces& places) { return far_sum<PointKind::stresslet>(places, settings); });
-  return [layer, allowed = settings.precision](const std::vector<Eigen::VectorXd>& nodal,
-           const Eigen::VectorXd& at_vertices, Precision precision)
-  { return layer->apply(nodal, at_vertices, precision_of(allowed, precision)); };
+  return [layer, precision = settings.precision](const std::vector<Eigen::VectorXd>& nodal,
+           const Eigen::VectorXd& at_vertices, double allowed)
+  { return layer->apply(nodal, at_vertices, error_of(precision, allowed)); };
 }
 
 LayerMap single_layer(const StokesOperator& layer, const LayerSettings& settings)
@@ -49,14 +49,13 @@ LayerMap single_layer(const StokesOperator& layer, const LayerSettings& settings
   {
     const auto sum = std::make_shared<const LayerSum>(layer,
       [&](const PointPlaces& places) { return far_sum<PointKind::force>(places, settings); });
-    return [sum, allowed = settings.precision](
-             const std::vector<Eigen::VectorXd>& densities, Precision precision)
-    { return sum->apply(densities, precision_of(allowed, precision)); };
+    return [sum, precision = settings.precision](const std::vector<Eigen::VectorXd>& densities,
+             double allowed) { return sum->apply(densities, error_of(precision, allowed)); };
   }
   const auto matrices = std::make_shared<std::vector<DenseMatrix>>();
   for (int v = 0; v < layer.surfaces(); ++v)
     matrices->push_back(layer.matrix(v));
-  return [matrices](const std::vector<Eigen::VectorXd>& densities, Precision)
+  return [matrices](const std::vector<Eigen::VectorXd>& densities, double)
   {
     Eigen::VectorXd velocity = multiply(matrices->front(), densities.front());
     for (std::size_t v = 1; v < densities.size(); ++v)
@@ -69,15 +68,15 @@ LayerMap single_layer(const StokesOperator& layer, const LayerSettings& settings
 void add_images(const StokesOperator& surfaces, const std::vector<double>& contrasts,
   const LayerSettings& settings, const Wall& wall, LayerMaps& maps)
 {
-  const LayerPrecision allowed = settings.precision;
+  const LayerPrecision precision = settings.precision;
   const auto images = std::make_shared<const WallImages>(surfaces, wall, PointKind::force,
     std::vector<double>(contrasts.size(), 1),
     [&](const PointPlaces& places) { return far_sum<PointKind::force_image>(places, settings); });
-  maps.single = [images, allowed, alone = std::move(maps.single)](
-                  const std::vector<Eigen::VectorXd>& densities, Precision precision)
+  maps.single = [images, precision, alone = std::move(maps.single)](
+                  const std::vector<Eigen::VectorXd>& densities, double allowed)
   {
-    Eigen::VectorXd velocity = alone(densities, precision);
-    images->add(densities, precision_of(allowed, precision), velocity);
+    Eigen::VectorXd velocity = alone(densities, allowed);
+    images->add(densities, error_of(precision, allowed), velocity);
     return velocity;
   };
   if (!maps.contrast)
@@ -86,12 +85,12 @@ void add_images(const StokesOperator& surfaces, const std::vector<double>& contr
     std::make_shared<const WallImages>(surfaces, wall, PointKind::stresslet, contrasts,
       [&](const PointPlaces& places)
       { return far_sum<PointKind::stresslet_image>(places, settings); });
-  maps.contrast = [of_contrast, allowed, alone = std::move(maps.contrast)](
-                    const std::vector<Eigen::VectorXd>& nodal, const Eigen::VectorXd& at_vertices,
-                    Precision precision)
+  maps.contrast =
+    [of_contrast, precision, alone = std::move(maps.contrast)](
+      const std::vector<Eigen::VectorXd>& nodal, const Eigen::VectorXd& at_vertices, double allowed)
   {
-    Eigen::VectorXd velocity = alone(nodal, at_vertices, precision);
-    of_contrast->add(nodal, precision_of(allowed, precision), velocity);
+    Eigen::VectorXd velocity = alone(nodal, at_vertices, allowed);
+    of_contrast->add(nodal, error_of(precision, allowed), velocity);
     return velocity;
   };
 }

@@ -13,14 +13,14 @@
 namespace vesicle
 {
 
-/// The velocities at all vertices (3N) that force densities at the nodes of each vesicle make, with at
-/// least that precision.
-using LayerMap = std::function<Eigen::VectorXd(const std::vector<Eigen::VectorXd>&, Precision)>;
+/// The velocities at all vertices (3N) that force densities at the nodes of each vesicle make, off by
+/// no more than is allowed (PointSum).
+using LayerMap = std::function<Eigen::VectorXd(const std::vector<Eigen::VectorXd>&, double)>;
 
 /// Σ (1 − λ) K u at all vertices (3N), of each vesicle's velocities at the nodes and of all at the
-/// vertices, with at least that precision.
+/// vertices, off by no more than is allowed.
 using ContrastMap = std::function<Eigen::VectorXd(
-  const std::vector<Eigen::VectorXd>&, const Eigen::VectorXd&, Precision)>;
+  const std::vector<Eigen::VectorXd>&, const Eigen::VectorXd&, double)>;
 
 struct LayerMaps
 {

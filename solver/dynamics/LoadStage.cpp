@@ -147,11 +147,11 @@ Eigen::VectorXd LoadStage::load_of(std::size_t v, const LoadUnknowns& x) const
 }
 
 Eigen::VectorXd LoadStage::velocity_of(const std::vector<Eigen::VectorXd>& loads,
-  const std::vector<LoadUnknowns>& x, Precision precision) const
+  const std::vector<LoadUnknowns>& x, double allowed) const
 {
   std::vector<Eigen::VectorXd> densities(count());
   parallel_for(count(), [&](std::size_t v) { densities[v] = this->loads(v).density(loads[v]); });
-  Eigen::VectorXd velocity = layers_.single(densities, precision);
+  Eigen::VectorXd velocity = layers_.single(densities, allowed);
   for (std::size_t v = 0; v < loads.size(); ++v)
   {
     auto own = velocity.segment(3 * shape_.first[v], loads[v].size());
@@ -174,9 +174,9 @@ Eigen::VectorXd LoadStage::imposed_share(std::size_t v) const
 
 // Σ (1 − λ) (K u + n̂ (Qᵀv·u)/2A).
 Eigen::VectorXd LoadStage::contrast_of(const std::vector<Eigen::VectorXd>& control,
-  const Eigen::VectorXd& velocity, Precision precision) const
+  const Eigen::VectorXd& velocity, double allowed) const
 {
-  Eigen::VectorXd result = layers_.contrast(control, velocity, precision);
+  Eigen::VectorXd result = layers_.contrast(control, velocity, allowed);
   for (std::size_t v = 0; v < count(); ++v)
   {
     const Surface& surface = loads(v).surface();
@@ -197,7 +197,7 @@ void LoadStage::start_contrast(std::vector<LoadUnknowns>& x, const Eigen::Vector
 }
 
 std::vector<LoadUnknowns> LoadStage::rows(const std::vector<Eigen::VectorXd>& loads,
-  const std::vector<LoadUnknowns>& x, const Eigen::VectorXd& velocity, Precision precision) const
+  const std::vector<LoadUnknowns>& x, const Eigen::VectorXd& velocity, double allowed) const
 {
   std::vector<LoadUnknowns> result(count());
   std::vector<Eigen::VectorXd> control(count());
@@ -205,7 +205,7 @@ std::vector<LoadUnknowns> LoadStage::rows(const std::vector<Eigen::VectorXd>& lo
     [&](std::size_t v)
     { control[v] = this->loads(v).surface().to_control(shape_.part(velocity, v)); });
   const Eigen::VectorXd contrast =
-    has_contrast() ? contrast_of(control, velocity, precision) : Eigen::VectorXd();
+    has_contrast() ? contrast_of(control, velocity, allowed) : Eigen::VectorXd();
   parallel_for(count(),
     [&](std::size_t v)
     {
@@ -289,10 +289,8 @@ StageSolution LoadStage::solve(const std::vector<LocalPreconditioner>& precondit
     const std::vector<LoadUnknowns> x = split(y);
     std::vector<Eigen::VectorXd> loads(count());
     parallel_for(count(), [&](std::size_t v) { loads[v] = load_of(v, x[v]); });
-    const Precision precision =
-      allowed > single_precision_error ? Precision::single : Precision::full;
-    velocities.push_back(velocity_of(loads, x, precision));
-    return join(rows(loads, x, velocities.back(), precision)).cwiseProduct(scale_);
+    velocities.push_back(velocity_of(loads, x, allowed));
+    return join(rows(loads, x, velocities.back(), allowed)).cwiseProduct(scale_);
   };
   const auto precondition = [&](const Eigen::VectorXd& r) -> Eigen::VectorXd
   { return join(this->precondition(preconditioners, rigid, split(r.cwiseQuotient(scale_)))); };

@@ -74,7 +74,7 @@ private:
   Eigen::VectorXd imposed_share(std::size_t vesicle) const;
   /// `control`: of each vesicle's nodes, what `velocity` is at all vertices.
   Eigen::VectorXd contrast_of(const std::vector<Eigen::VectorXd>& control,
-    const Eigen::VectorXd& velocity, Precision precision) const;
+    const Eigen::VectorXd& velocity, double allowed) const;
   void start_contrast(std::vector<LoadUnknowns>& x, const Eigen::VectorXd& without) const;
   std::vector<LoadUnknowns> precondition(const std::vector<LocalPreconditioner>& preconditioners,
     const std::vector<RigidMotions>& rigid, std::vector<LoadUnknowns> residual) const;
@@ -82,10 +82,9 @@ private:
   Eigen::VectorXd load_of(std::size_t vesicle, const LoadUnknowns& x) const;
   /// Rows of loads and the velocities that they, c and w make, without the flow.
   std::vector<LoadUnknowns> rows(const std::vector<Eigen::VectorXd>& loads,
-    const std::vector<LoadUnknowns>& x, const Eigen::VectorXd& velocity,
-    Precision precision = Precision::full) const;
+    const std::vector<LoadUnknowns>& x, const Eigen::VectorXd& velocity, double allowed = 0) const;
   Eigen::VectorXd velocity_of(const std::vector<Eigen::VectorXd>& loads,
-    const std::vector<LoadUnknowns>& x, Precision precision = Precision::full) const;
+    const std::vector<LoadUnknowns>& x, double allowed = 0) const;
 
   StageSolution solution_of(const std::vector<LoadUnknowns>& x) const;
 

@@ -47,7 +47,7 @@ RowVectors DoubleLayer::own_blocks(const Source& source, const PointSum& sum, in
   {
     const Points constant = Vector3::Unit(c).transpose().replicate(vertices, 1);
     Points made = Points::Zero(vertices, 3);
-    sum.add(stresslets(source, constant), Precision::full, made);
+    sum.add(stresslets(source, constant), 0, made);
     source.corrections.add(double_layer_factor * flat(constant), 0, made);
     own.col(c) = flat(Points(constant / 2 - made));
   }
@@ -55,14 +55,14 @@ RowVectors DoubleLayer::own_blocks(const Source& source, const PointSum& sum, in
 }
 
 Eigen::VectorXd DoubleLayer::apply(const std::vector<Eigen::VectorXd>& nodal,
-  const Eigen::VectorXd& at_vertices, Precision precision) const
+  const Eigen::VectorXd& at_vertices, double allowed) const
 {
   Eigen::MatrixXd strengths(points_, 6);
   for (std::size_t s = 0; s < sources_.size(); ++s)
     strengths.middleRows(sources_[s].first_point, sources_[s].normal.rows()) =
       sources_[s].factor * stresslets(sources_[s], rows_of_three(nodal[s]));
   Points result = Points::Zero(vertices_, 3);
-  sum_->add(strengths, precision, result);
+  sum_->add(strengths, allowed, result);
   for (std::size_t s = 0; s < sources_.size(); ++s)
   {
     const Source& source = sources_[s];

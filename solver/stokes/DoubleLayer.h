@@ -22,10 +22,10 @@ public:
   static std::unique_ptr<const PointSum> direct_sum(const PointPlaces& places);
 
   /// Σ_s factor_s K_s u at all vertices, 3N: u = Σ N_k u_k with 3 numbers a node of each surface,
-  /// `at_vertices` (3N) what that is at the vertices. Threads share points and vertices; results do
+  /// `at_vertices` (3N) what that is at the vertices; `allowed`: an error of the sum's (PointSum). Threads share points and vertices; results do
   /// not depend on their number.
   Eigen::VectorXd apply(const std::vector<Eigen::VectorXd>& nodal,
-    const Eigen::VectorXd& at_vertices, Precision precision = Precision::full) const;
+    const Eigen::VectorXd& at_vertices, double allowed = 0) const;
 
 private:
   struct Source

@@ -24,8 +24,7 @@ LayerSum::LayerSum(const StokesOperator& layer, const MakePointSum& make_sum)
   }
 }
 
-Eigen::VectorXd LayerSum::apply(
-  const std::vector<Eigen::VectorXd>& densities, Precision precision) const
+Eigen::VectorXd LayerSum::apply(const std::vector<Eigen::VectorXd>& densities, double allowed) const
 {
   RowVectors forces(points_, 3);
   for (std::size_t s = 0; s < sources_.size(); ++s)
@@ -33,7 +32,7 @@ Eigen::VectorXd LayerSum::apply(
       sources_[s].weight.asDiagonal() *
       interpolate(*sources_[s].table, rows_of_three(densities[s]));
   Points velocity = Points::Zero(vertices_, 3);
-  sum_->add(forces, precision, velocity);
+  sum_->add(forces, allowed, velocity);
   for (std::size_t s = 0; s < sources_.size(); ++s)
   {
     sources_[s].corrections.add(densities[s], sources_[s].first_vertex, velocity);

@@ -21,10 +21,9 @@ public:
 
   static std::unique_ptr<const PointSum> direct_sum(const PointPlaces& places);
 
-  /// Velocities at all vertices, 3N, of f = Σ N_k f_k: 3 numbers a node of each surface. Threads share
-  /// points and vertices; results do not depend on their number.
-  Eigen::VectorXd apply(
-    const std::vector<Eigen::VectorXd>& densities, Precision precision = Precision::full) const;
+  /// Velocities at all vertices, 3N, of f = Σ N_k f_k: 3 numbers a node of each surface; `allowed`: an
+  /// error of the sum's (PointSum). Threads share points and vertices; results do not depend on their number.
+  Eigen::VectorXd apply(const std::vector<Eigen::VectorXd>& densities, double allowed = 0) const;
 
 private:
   struct Source

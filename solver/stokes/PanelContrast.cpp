@@ -90,7 +90,7 @@ Points PanelContrast::at(const Points& points, const std::vector<unsigned char>&
   {
     const Points targets = points(far_points, Eigen::all);
     Points made = Points::Zero(targets.rows(), 3);
-    DirectPointSum<PointKind::stresslet>(position_, targets).add(strength_, Precision::full, made);
+    DirectPointSum<PointKind::stresslet>(position_, targets).add(strength_, 0, made);
     result(far_points, Eigen::all) = made;
   }
   parallel_for(n,

@@ -41,19 +41,24 @@ Eigen::RowVector3d summation_origin(PointKind kind, const Points& targets)
 
 template<PointKind kind>
 template<class Real>
-template<class To>
-typename DirectPointSum<kind>::template Places<To> DirectPointSum<kind>::Places<Real>::cast() const
+DirectPointSum<kind>::Places<Real>::Places(const RowVectors& sources, const RowVectors& targets)
+  : grid(std::max(extent_of(sources), extent_of(targets))), sources(grid.positions(sources)),
+    targets(in_blocks(grid.positions(targets)))
 {
-  return { sources.template cast<To>(), { targets.begin(), targets.end() } };
 }
 
 template<PointKind kind>
 DirectPointSum<kind>::DirectPointSum(const RowVectors& sources, const Points& targets)
+  : DirectPointSum(sources, targets, summation_origin(kind, targets))
 {
-  const Eigen::RowVector3d origin = summation_origin(kind, targets);
-  full_.sources = (sources.rowwise() - origin).array();
-  full_.targets = in_blocks<double>(targets.rowwise() - origin);
-  single_ = full_.template cast<float>();
+}
+
+template<PointKind kind>
+DirectPointSum<kind>::DirectPointSum(
+  const RowVectors& sources, const Points& targets, const Eigen::RowVector3d& origin)
+  : full_(sources.rowwise() - origin, targets.rowwise() - origin),
+    single_(sources.rowwise() - origin, targets.rowwise() - origin)
+{
 }
 
 template<PointKind kind>
@@ -62,8 +67,9 @@ void DirectPointSum<kind>::add(const Places<Real>& at,
   const Eigen::Ref<const Eigen::MatrixXd>& strengths, Points& velocity) const
 {
   constexpr int components = components_of(kind);
+  const double scale = strength_unit<Real>(strengths), unit = scale * at.grid.unit(kind);
   const Eigen::Array<Real, Eigen::Dynamic, components> strength =
-    strengths.array().template cast<Real>();
+    (strengths / scale).array().template cast<Real>();
   const int blocks = static_cast<int>(at.targets.size()) / block_size,
             a_task = std::clamp(blocks / fewest_tasks, 1, most_blocks_a_task),
             sources = static_cast<int>(strength.rows()), n = static_cast<int>(velocity.rows());
@@ -71,7 +77,7 @@ void DirectPointSum<kind>::add(const Places<Real>& at,
     [&](int task)
     {
       const int first = task * a_task, count = std::min(a_task, blocks - first);
-      std::array<Real, most_blocks_a_task * block_size> sum{};
+      std::array<double, most_blocks_a_task * block_size> sum{};
       for (int q = 0; q < sources; q += chunk)
       {
         const auto of_chunk =
@@ -82,18 +88,18 @@ void DirectPointSum<kind>::add(const Places<Real>& at,
       }
       for (int i = first * sum_lanes; i < std::min((first + count) * sum_lanes, n); ++i)
         for (int c = 0; c < 3; ++c)
-          velocity(i, c) += sum[place_in_blocks(i - first * sum_lanes, c)];
+          velocity(i, c) += unit * sum[place_in_blocks(i - first * sum_lanes, c)];
     });
 }
 
 template<PointKind kind>
 void DirectPointSum<kind>::add(
-  const Eigen::Ref<const Eigen::MatrixXd>& strengths, Precision precision, Points& velocity) const
+  const Eigen::Ref<const Eigen::MatrixXd>& strengths, double allowed, Points& velocity) const
 {
-  if (precision == Precision::full)
-    add(full_, strengths, velocity);
-  else
+  if (allowed >= single_precision_error)
     add(single_, strengths, velocity);
+  else
+    add(full_, strengths, velocity);
 }
 
 template class DirectPointSum<PointKind::force>;

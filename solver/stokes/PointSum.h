@@ -3,7 +3,7 @@
 // knows nothing of surfaces.
 
 #include "solver/mesh/TriangleMesh.h"
-#include "solver/stokes/kernels/StokesletKernel.h"
+#include "solver/stokes/PointGrid.h"
 #include "solver/surface/SurfaceIntegrals.h"
 
 #include <functional>
@@ -14,13 +14,9 @@
 namespace vesicle
 {
 
-enum class Precision
-{
-  single, ///< leaves single_precision_error
-  full
-};
-/// Relative to the velocity, root mean square: points on a sphere and random forces leave 7e-6.
-inline constexpr double single_precision_error = 1e-5;
+/// What rounding to single precision leaves of the velocity, at the most, root mean square: points on a sphere
+/// and random forces leave 2e-7, images of a wall near by up to 1.2e-6.
+inline constexpr double single_precision_error = 2e-6;
 
 /// Where the points are is set once. The place of a tree, an FMM or another device.
 class PointSum
@@ -28,9 +24,10 @@ class PointSum
 public:
   virtual ~PointSum() = default;
   /// velocity += the sum over all sources at every target, N by 3; `strengths`: a row a source, with
-  /// the kernel's factor in them.
-  virtual void add(const Eigen::Ref<const Eigen::MatrixXd>& strengths, Precision precision,
-    Points& velocity) const = 0;
+  /// the kernel's factor in them. It may be off by `allowed`, relative to the velocity, root mean
+  /// square, about; 0: by what it leaves at its best.
+  virtual void add(
+    const Eigen::Ref<const Eigen::MatrixXd>& strengths, double allowed, Points& velocity) const = 0;
 };
 
 /// Where sources and targets are, one body's after the other's.
@@ -59,17 +56,19 @@ class DirectPointSum final : public PointSum
 {
 public:
   DirectPointSum(const RowVectors& sources, const Points& targets);
-  void add(const Eigen::Ref<const Eigen::MatrixXd>& strengths, Precision precision,
+  void add(const Eigen::Ref<const Eigen::MatrixXd>& strengths, double allowed,
     Points& velocity) const override;
 
 private:
+  DirectPointSum(
+    const RowVectors& sources, const Points& targets, const Eigen::RowVector3d& origin);
   template<class Real>
   struct Places
   {
-    Eigen::Array<Real, Eigen::Dynamic, 3> sources;
-    std::vector<Real> targets; ///< x, y, z of sum_lanes targets, and so on
-    template<class To>
-    Places<To> cast() const;
+    Places(const RowVectors& sources, const RowVectors& targets);
+    PointGrid<Real> grid;
+    typename PointGrid<Real>::Positions sources;
+    std::vector<Coordinate<Real>> targets; ///< x, y, z of sum_lanes targets, and so on
   };
   template<class Real>
   void add(const Places<Real>& at, const Eigen::Ref<const Eigen::MatrixXd>& strengths,

@@ -281,8 +281,7 @@ Eigen::VectorXd StokesOperator::apply(std::span<const ForceDensity> densities) c
       close(rules.near().table, near, densities[s]),
       own(rules.singular().table, singular, densities[s]);
     DirectSum(regular.surface.position, targets())
-      .add(
-        (far.force.array().colwise() * regular.weight.array()).matrix(), Precision::full, velocity);
+      .add((far.force.array().colwise() * regular.weight.array()).matrix(), 0, velocity);
     const RuleSources<ForceSources> sources{ far.sources, close.sources, own.sources };
     parallel_for(static_cast<int>(rules.groups().size()),
       [&](int number)

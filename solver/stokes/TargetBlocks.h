@@ -19,7 +19,7 @@ inline constexpr int most_blocks_a_task = 4;
 template<PointKind kind, class Positions, class Strengths>
 auto point_sources(const Positions& x, const Strengths& s, int first, int count)
 {
-  using Real = typename Positions::Scalar;
+  using Real = typename Strengths::Scalar;
   PointSources<Real, kind> sources{ {}, {}, count };
   for (int c = 0; c < 3; ++c)
     sources.position[c] = &x(first, c);
@@ -35,14 +35,14 @@ inline int place_in_blocks(int i, int c)
 }
 
 /// The last row fills up the last block.
-template<class Real>
-std::vector<Real> in_blocks(const RowVectors& rows)
+template<class Positions>
+auto in_blocks(const Positions& rows)
 {
   const int n = static_cast<int>(rows.rows()), all = (n + sum_lanes - 1) / sum_lanes * sum_lanes;
-  std::vector<Real> blocks(3 * all);
+  std::vector<typename Positions::Scalar> blocks(3 * all);
   for (int i = 0; i < all; ++i)
     for (int c = 0; c < 3; ++c)
-      blocks[place_in_blocks(i, c)] = static_cast<Real>(rows(std::min(i, n - 1), c));
+      blocks[place_in_blocks(i, c)] = rows(std::min(i, n - 1), c);
   return blocks;
 }
 

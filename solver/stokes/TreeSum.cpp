@@ -7,6 +7,15 @@
 namespace vesicle
 {
 
+namespace
+{
+
+// What a solve allows grows from iteration to iteration: half the pairs at the second, a third at the
+// first again.
+constexpr double fine_error = single_precision_error, coarse_error = 1e-4;
+
+}
+
 template<PointKind kind>
 template<class Real>
 TreePointSum<kind>::Tree<Real>::Tree(const PointPlaces& places, double tolerance)
@@ -24,8 +33,11 @@ TreePointSum<kind>::Tree<Real>::Tree(const PointPlaces& places, double tolerance
   sources = std::make_unique<ProxyTree<Real>>(std::move(source_tree), sources_at, acts, sum_lanes);
   targets =
     std::make_unique<ProxyTree<Real>>(std::move(target_tree), targets_at, acted_on, sum_lanes);
-  source_positions = sources->positions().array().template cast<Real>();
-  target_positions = in_blocks<Real>(targets->positions());
+  const PointGrid<Real> grid(
+    std::max(extent_of(sources->positions()), extent_of(targets->positions())));
+  unit = grid.unit(kind);
+  source_positions = grid.positions(sources->positions());
+  target_positions = in_blocks(grid.positions(targets->positions()));
 
   for (std::size_t t = 0; t < pairs.size(); ++t)
   {
@@ -49,16 +61,17 @@ void TreePointSum<kind>::Tree<Real>::add(
   const Eigen::Ref<const Eigen::MatrixXd>& strengths, Points& velocity) const
 {
   constexpr int components = components_of(kind);
+  const double scale = strength_unit<Real>(strengths), velocity_unit = scale * unit;
   Eigen::Array<Real, Eigen::Dynamic, components> f(sources->positions().rows(), components);
   for (int c = 0; c < components; c += 3)
-    f.template middleCols<3>(c) = sources->up(strengths.middleCols<3>(c)).array();
+    f.template middleCols<3>(c) = sources->up(strengths.middleCols<3>(c) / scale).array();
   ThreeColumns<Real> u = ThreeColumns<Real>::Zero(targets->positions().rows(), 3);
   const auto& x = source_positions;
   parallel_for(tasks.size(),
     [&](std::size_t k)
     {
       const Task& task = tasks[k];
-      std::array<Real, most_blocks_a_task * block_size> sum{};
+      std::array<double, most_blocks_a_task * block_size> sum{};
       for (const RowRange& rows : acting[task.acting])
       {
         const auto of_range = point_sources<kind>(x, f, rows.first, rows.count);
@@ -68,25 +81,29 @@ void TreePointSum<kind>::Tree<Real>::add(
       }
       for (int i = 0; i < task.blocks * sum_lanes; ++i)
         for (int c = 0; c < 3; ++c)
-          u(task.first_block * sum_lanes + i, c) = sum[place_in_blocks(i, c)];
+          u(task.first_block * sum_lanes + i, c) =
+            static_cast<Real>(velocity_unit * sum[place_in_blocks(i, c)]);
     });
   targets->down(std::move(u), velocity);
 }
 
 template<PointKind kind>
 TreePointSum<kind>::TreePointSum(const PointPlaces& places, double tolerance)
-  : full_(places, tolerance), single_(places, std::max(tolerance, single_precision_error))
+  : best_(places, tolerance), fine_(places, std::max(tolerance, fine_error)),
+    coarse_(places, std::max(tolerance, coarse_error))
 {
 }
 
 template<PointKind kind>
 void TreePointSum<kind>::add(
-  const Eigen::Ref<const Eigen::MatrixXd>& strengths, Precision precision, Points& velocity) const
+  const Eigen::Ref<const Eigen::MatrixXd>& strengths, double allowed, Points& velocity) const
 {
-  if (precision == Precision::full)
-    full_.add(strengths, velocity);
+  if (allowed >= coarse_error)
+    coarse_.add(strengths, velocity);
+  else if (allowed >= fine_error)
+    fine_.add(strengths, velocity);
   else
-    single_.add(strengths, velocity);
+    best_.add(strengths, velocity);
 }
 
 template class TreePointSum<PointKind::force>;

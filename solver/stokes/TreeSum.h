@@ -16,10 +16,9 @@ template<PointKind kind>
 class TreePointSum final : public PointSum
 {
 public:
-  /// `tolerance` is what Precision::full leaves, about, root mean square and relative to the velocity.
-  /// With Precision::single clusters leave no less than single_precision_error, and so does rounding.
+  /// `tolerance` is the best that it leaves. There are trees for greater errors, too, in single precision.
   TreePointSum(const PointPlaces& places, double tolerance);
-  void add(const Eigen::Ref<const Eigen::MatrixXd>& strengths, Precision precision,
+  void add(const Eigen::Ref<const Eigen::MatrixXd>& strengths, double allowed,
     Points& velocity) const override;
 
 private:
@@ -36,13 +35,14 @@ private:
     void add(const Eigen::Ref<const Eigen::MatrixXd>& strengths, Points& velocity) const;
 
     std::unique_ptr<ProxyTree<Real>> sources, targets;
-    Eigen::Array<Real, Eigen::Dynamic, 3> source_positions;
-    std::vector<Real> target_positions;        ///< x, y, z of sum_lanes rows, and so on
-    std::vector<std::vector<RowRange>> acting; ///< on each cluster of targets that is acted on
+    double unit; ///< of velocities
+    typename PointGrid<Real>::Positions source_positions;
+    std::vector<Coordinate<Real>> target_positions; ///< x, y, z of sum_lanes rows, and so on
+    std::vector<std::vector<RowRange>> acting;      ///< on each cluster of targets that is acted on
     std::vector<Task> tasks;
   };
-  Tree<double> full_;
-  Tree<float> single_;
+  Tree<double> best_;
+  Tree<float> fine_, coarse_;
 };
 using TreeSum = TreePointSum<PointKind::force>;
 

@@ -84,10 +84,10 @@ Points WallFlow::at(const Points& points, double layer, double contrast) const
 {
   const Points x = frame_.positions(points);
   Points made = Points::Zero(x.rows(), 3);
-  DirectPointSum<PointKind::force_image>(position_, x).add(layer * force_, Precision::full, made);
+  DirectPointSum<PointKind::force_image>(position_, x).add(layer * force_, 0, made);
   if (contrast != 0)
     DirectPointSum<PointKind::stresslet_image>(position_, x)
-      .add(contrast * symmetric_products(velocity_, area_), Precision::full, made);
+      .add(contrast * symmetric_products(velocity_, area_), 0, made);
   const AdjacencyList close = near_panels(panels_, x);
   parallel_for(static_cast<int>(x.rows()),
     [&](int i)

@@ -57,7 +57,7 @@ Eigen::MatrixXd WallImages::strengths(const Source& source, const Points& mirror
 }
 
 void WallImages::add(
-  const std::vector<Eigen::VectorXd>& nodal, Precision precision, Eigen::VectorXd& velocities) const
+  const std::vector<Eigen::VectorXd>& nodal, double allowed, Eigen::VectorXd& velocities) const
 {
   Eigen::MatrixXd all(points_, components_of(kind_));
   std::vector<Points> of_sources;
@@ -68,7 +68,7 @@ void WallImages::add(
     all.middleRows(source.first_point, source.weight.size()) = strengths(source, of_sources.back());
   }
   Points made = Points::Zero(velocities.size() / 3, 3);
-  sum_->add(all, precision, made);
+  sum_->add(all, allowed, made);
   for (std::size_t s = 0; s < sources_.size(); ++s)
     if (sources_[s].near)
       sources_[s].near->add(sources_[s].factor * flat(of_sources[s]), made);

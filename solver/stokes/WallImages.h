@@ -29,8 +29,8 @@ public:
   /// To the velocities at all vertices, 3N, what f = Σ N_k f_k adds (LayerSum), or u (DoubleLayer): 3
   /// numbers a node of each surface. Threads share points and vertices; results do not depend on
   /// their number.
-  void add(const std::vector<Eigen::VectorXd>& nodal, Precision precision,
-    Eigen::VectorXd& velocities) const;
+  void add(
+    const std::vector<Eigen::VectorXd>& nodal, double allowed, Eigen::VectorXd& velocities) const;
 
 private:
   struct Source

@@ -9,6 +9,7 @@ namespace
 
 using Doubles = double __attribute__((vector_size(32)));
 using Floats = float __attribute__((vector_size(32)));
+using Integers = int __attribute__((vector_size(32)));
 constexpr int side_by_side = 2;
 
 // The seed, of single precision, is good for 3·2⁻¹³; the series to e⁴ leaves 63/256 e⁵.

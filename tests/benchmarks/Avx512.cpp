@@ -9,6 +9,7 @@ namespace
 
 using Doubles = double __attribute__((vector_size(64)));
 using Floats = float __attribute__((vector_size(64)));
+using Integers = int __attribute__((vector_size(64)));
 constexpr int side_by_side = 3;
 
 // The seeds are good for 2⁻¹⁴; the series to e³ leaves 35/128 e⁴.

@@ -4,6 +4,7 @@
 // other's waits. Nothing that isn't in this file may be called: the linker could take it for others.
 
 #include <cstring>
+#include <type_traits>
 
 namespace vesicle::benchmarks
 {
@@ -31,23 +32,23 @@ Real multiply_add(long rounds)
 }
 
 template<class Vector, class Real>
-void add_stokeslets(const PointForces<Real>& s, const Real* targets, Real* velocities)
+void add_stokeslets(const PointForces<Real>& s, const Coordinate<Real>* targets, double* velocities)
 {
   constexpr int lanes = sizeof(Vector) / sizeof(Real), row = side_by_side * lanes;
-  Vector x[side_by_side][3], u[side_by_side][3];
+  std::conditional_t<std::is_same_v<Real, double>, Vector, Integers> x[side_by_side][3];
+  Vector u[side_by_side][3] = {};
   for (int v = 0; v < side_by_side; ++v)
     for (int c = 0; c < 3; ++c)
-    {
       std::memcpy(&x[v][c], targets + c * row + v * lanes, sizeof(Vector));
-      std::memcpy(&u[v][c], velocities + c * row + v * lanes, sizeof(Vector));
-    }
   const auto& [sx, sy, sz] = s.position;
   const auto& [sfx, sfy, sfz] = s.strength;
   for (int q = 0; q < s.count; ++q)
 #pragma GCC unroll 4
     for (int v = 0; v < side_by_side; ++v)
     {
-      const Vector dx = sx[q] - x[v][0], dy = sy[q] - x[v][1], dz = sz[q] - x[v][2];
+      const Vector dx = __builtin_convertvector(sx[q] - x[v][0], Vector),
+                   dy = __builtin_convertvector(sy[q] - x[v][1], Vector),
+                   dz = __builtin_convertvector(sz[q] - x[v][2], Vector);
       Vector over_r;
       inverse_root(over_r, dx * dx + dy * dy + dz * dz);
       const Vector along = (sfx[q] * dx + sfy[q] * dy + sfz[q] * dz) * (over_r * over_r);
@@ -57,7 +58,8 @@ void add_stokeslets(const PointForces<Real>& s, const Real* targets, Real* veloc
     }
   for (int v = 0; v < side_by_side; ++v)
     for (int c = 0; c < 3; ++c)
-      std::memcpy(velocities + c * row + v * lanes, &u[v][c], sizeof(Vector));
+      for (int i = 0; i < lanes; ++i)
+        velocities[c * row + v * lanes + i] += u[v][c][i];
 }
 
 template<class Vector, class Real>

@@ -16,7 +16,8 @@ struct HandWritten
   Real (*multiply_add)(long rounds);
   long flop_a_round;
   /// As add_points, of as many targets.
-  void (*add_stokeslets)(const PointForces<Real>& forces, const Real* targets, Real* velocities);
+  void (*add_stokeslets)(
+    const PointForces<Real>& forces, const Coordinate<Real>* targets, double* velocities);
   int targets;
 };
 

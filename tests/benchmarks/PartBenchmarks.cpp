@@ -69,10 +69,10 @@ struct Stage
   Solved solve() const
   {
     Solved solved;
-    const auto apply = [&](const std::vector<Eigen::VectorXd>& densities, Precision precision)
+    const auto apply = [&](const std::vector<Eigen::VectorXd>& densities, double allowed)
     {
-      ++(precision == Precision::full ? solved.full : solved.single);
-      return layer.apply(densities, precision);
+      ++(allowed < single_precision_error ? solved.full : solved.single);
+      return layer.apply(densities, allowed);
     };
     solved.solution =
       LoadStage(shape, { apply, {} }, tau, reference, run.state)
@@ -148,21 +148,20 @@ using benchmark::DoNotOptimize;
     });
   add("shape", [](Stage& s) { SystemShape(s.system, s.shape.points); });
   add("layer", [](Stage& s) { LayerSum(StokesOperator(layer_surfaces(s.shape))); });
-  const auto apply = [](Precision precision)
+  const auto apply = [](double allowed)
   {
-    return [precision](Stage& s)
-    { DoNotOptimize(s.layer.apply({ s.loads().gradient() }, precision)); };
+    return [allowed](Stage& s) { DoNotOptimize(s.layer.apply({ s.loads().gradient() }, allowed)); };
   };
-  add("apply/double", apply(Precision::full));
-  add("apply/single", apply(Precision::single));
+  add("apply/double", apply(0));
+  add("apply/single", apply(single_precision_error));
   add("tree", [](Stage& s) { LayerSum(StokesOperator(layer_surfaces(s.shape)), tree_sum); });
-  const auto apply_by_tree = [](Precision precision)
+  const auto apply_by_tree = [](double allowed)
   {
-    return [precision](Stage& s)
-    { DoNotOptimize(s.by_tree.apply({ s.loads().gradient() }, precision)); };
+    return [allowed](Stage& s)
+    { DoNotOptimize(s.by_tree.apply({ s.loads().gradient() }, allowed)); };
   };
-  add("tree/double", apply_by_tree(Precision::full));
-  add("tree/single", apply_by_tree(Precision::single));
+  add("tree/double", apply_by_tree(0));
+  add("tree/single", apply_by_tree(single_precision_error));
   add("preconditioner/tension", [](Stage& s) { s.preconditioners[0].build(s.loads()); });
   add(
     "preconditioner/bending", [](Stage& s) { s.preconditioners[0].build_stiff(s.loads(), s.tau); });

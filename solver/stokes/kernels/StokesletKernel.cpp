@@ -60,22 +60,26 @@ void add_velocities(const ForceSources& sources, int begin, int end, const doubl
 }
 
 template<class Real, PointKind kind>
-void add_points(const PointSources<Real, kind>& sources, const Real* targets, Real* velocities)
+void add_points(
+  const PointSources<Real, kind>& sources, const Coordinate<Real>* targets, double* velocities)
 {
   loops().add_points<Real, kind>()(sources, targets, velocities);
 }
 
 template void add_points(const PointSources<double, PointKind::force>&, const double*, double*);
-template void add_points(const PointSources<float, PointKind::force>&, const float*, float*);
+template void add_points(
+  const PointSources<float, PointKind::force>&, const std::int32_t*, double*);
 template void add_points(const PointSources<double, PointKind::stresslet>&, const double*, double*);
-template void add_points(const PointSources<float, PointKind::stresslet>&, const float*, float*);
+template void add_points(
+  const PointSources<float, PointKind::stresslet>&, const std::int32_t*, double*);
 template void add_points(
   const PointSources<double, PointKind::force_image>&, const double*, double*);
-template void add_points(const PointSources<float, PointKind::force_image>&, const float*, float*);
+template void add_points(
+  const PointSources<float, PointKind::force_image>&, const std::int32_t*, double*);
 template void add_points(
   const PointSources<double, PointKind::stresslet_image>&, const double*, double*);
 template void add_points(
-  const PointSources<float, PointKind::stresslet_image>&, const float*, float*);
+  const PointSources<float, PointKind::stresslet_image>&, const std::int32_t*, double*);
 
 double dot(const double* a, const double* b, long n)
 {

@@ -3,7 +3,9 @@
 // (StokesletLoops.h); the widest that the processor has is chosen at run time.
 
 #include <array>
+#include <cstdint>
 #include <numbers>
+#include <type_traits>
 
 namespace vesicle
 {
@@ -110,11 +112,17 @@ struct ForceSources : StokesletSources
 void add_velocities(const ForceSources& sources, int begin, int end, const double* targets,
   const double* mask, double* sum);
 
-/// What acts at points, one array a component: x, y, z, or xx, xy, xz, yy, yz, zz.
+/// How sums in `Real` take positions. Single precision counts them on a grid (PointGrid.h): differences of
+/// whole numbers are exact, where those of rounded numbers would lose what neighbours differ by.
+template<class Real>
+using Coordinate = std::conditional_t<std::is_same_v<Real, double>, double, std::int32_t>;
+
+/// What acts at points, one array a component: x, y, z, or xx, xy, xz, yy, yz, zz. Of single precision no
+/// number is above 1.
 template<class Real, PointKind kind>
 struct PointSources
 {
-  std::array<const Real*, 3> position;
+  std::array<const Coordinate<Real>*, 3> position;
   std::array<const Real*, components_of(kind)> strength;
   int count;
 };
@@ -125,10 +133,11 @@ using PointForces = PointSources<Real, PointKind::force>;
 inline constexpr int sum_lanes = 16;
 
 /// The sources' fields at the targets x, y, z of sum_lanes each are added to `velocities`, which
-/// lie as they do. A target must not be a source. Single precision leaves an error of some 1e-5 of
-/// the velocity.
+/// lie as they do. A target must not be a source. Single precision leaves an error of some 3e-7 of
+/// the velocity: so many sources as its digits are enough for are added up in it, and these sums in double.
 template<class Real, PointKind kind>
-void add_points(const PointSources<Real, kind>& sources, const Real* targets, Real* velocities);
+void add_points(
+  const PointSources<Real, kind>& sources, const Coordinate<Real>* targets, double* velocities);
 
 /// Σ a_i b_i.
 double dot(const double* a, const double* b, long n);

@@ -13,7 +13,7 @@ using AddMoments = void (*)(
   const PanelPoints& points, const PanelShape& panel, const double* target, double* sum);
 template<class Real, PointKind kind>
 using AddPoints = void (*)(
-  const PointSources<Real, kind>& sources, const Real* targets, Real* velocities);
+  const PointSources<Real, kind>& sources, const Coordinate<Real>* targets, double* velocities);
 /// By PointKind.
 template<class Real>
 using PointLoops =

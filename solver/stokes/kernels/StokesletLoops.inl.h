@@ -6,6 +6,7 @@
 #include "solver/stokes/kernels/StokesletLoops.h"
 
 #include <cstring>
+#include <limits>
 #include <type_traits>
 #ifdef __AVX2__
 #include <immintrin.h>
@@ -26,8 +27,11 @@ constexpr int bytes = 16;
 #endif
 using Doubles = double __attribute__((vector_size(bytes)));
 using Floats = float __attribute__((vector_size(bytes)));
+using Integers = std::int32_t __attribute__((vector_size(bytes)));
 template<class Real>
 using Wide = std::conditional_t<sizeof(Real) == sizeof(double), Doubles, Floats>;
+template<class Real>
+using WideCoordinate = std::conditional_t<sizeof(Real) == sizeof(double), Doubles, Integers>;
 
 // y ← 1/√s from a y with s y² = 1 − e: the series to e³, which leaves 35/128 e⁴.
 template<class Real, class Vector>
@@ -449,42 +453,51 @@ void add_moments(
     add_moments_of_degree<4, kind>(points, panel, target, sum);
 }
 
+// Powers of 1/r are taken one by one: on the grid of single precision r⁻⁵ would be below its range.
 template<class Real>
-VESICLE_INLINE void add_velocity(Wide<Real> u[3], const PointForces<Real>& s, int q,
-  const Wide<Real>& dx, const Wide<Real>& dy, const Wide<Real>& dz, const Wide<Real>& over_r)
+struct PointPair
+{
+  Wide<Real> dx, dy, dz, over_r;
+};
+
+template<class Real>
+VESICLE_INLINE void add_velocity(
+  Wide<Real> u[3], const PointForces<Real>& s, int q, const PointPair<Real>& p, const Wide<Real>&)
 {
   const Real fx = s.strength[0][q], fy = s.strength[1][q], fz = s.strength[2][q];
-  const Wide<Real> along = (fx * dx + fy * dy + fz * dz) * (over_r * over_r);
-  u[0] += over_r * (fx + along * dx);
-  u[1] += over_r * (fy + along * dy);
-  u[2] += over_r * (fz + along * dz);
+  const Wide<Real> along = (fx * p.dx + fy * p.dy + fz * p.dz) * (p.over_r * p.over_r);
+  u[0] += p.over_r * (fx + along * p.dx);
+  u[1] += p.over_r * (fy + along * p.dy);
+  u[2] += p.over_r * (fz + along * p.dz);
 }
 
 template<class Real>
 VESICLE_INLINE void add_velocity(Wide<Real> u[3], const PointSources<Real, PointKind::stresslet>& s,
-  int q, const Wide<Real>& dx, const Wide<Real>& dy, const Wide<Real>& dz, const Wide<Real>& over_r)
+  int q, const PointPair<Real>& p, const Wide<Real>&)
 {
+  const auto& [dx, dy, dz, over_r] = p;
   const Real xx = s.strength[0][q], xy = s.strength[1][q], xz = s.strength[2][q],
              yy = s.strength[3][q], yz = s.strength[4][q], zz = s.strength[5][q];
   const Wide<Real> square = over_r * over_r,
                    along =
                      (dx * (xx * dx + xy * dy + xz * dz) + dy * (xy * dx + yy * dy + yz * dz) +
                        dz * (xz * dx + yz * dy + zz * dz)) *
-    (over_r * square * square);
+    square * (over_r * square);
   u[0] += along * dx;
   u[1] += along * dy;
   u[2] += along * dz;
 }
 
-// The images: their source's z is −h, z of the target follows from dz.
+// The images: their source's z is −h.
 template<class Real>
 VESICLE_INLINE void add_velocity(Wide<Real> u[3],
-  const PointSources<Real, PointKind::force_image>& s, int q, const Wide<Real>& dx,
-  const Wide<Real>& dy, const Wide<Real>& dz, const Wide<Real>& over_r)
+  const PointSources<Real, PointKind::force_image>& s, int q, const PointPair<Real>& p,
+  const Wide<Real>& z)
 {
+  const auto& [dx, dy, dz, over_r] = p;
   const Real fx = s.strength[0][q], fy = s.strength[1][q], fz = s.strength[2][q],
-             h = -s.position[2][q];
-  const Wide<Real> square = over_r * over_r, z2 = -2 * (h + dz), f = fx * dx + fy * dy + fz * dz,
+             h = -static_cast<Real>(s.position[2][q]);
+  const Wide<Real> square = over_r * over_r, z2 = 2 * z, f = fx * dx + fy * dy + fz * dz,
                    hf = h * square * f, along = square * (z2 * (3 * hf - fz) - f),
                    unit = -1 - h * z2 * square;
   u[0] += over_r * (along * dx + fx * unit);
@@ -494,55 +507,71 @@ VESICLE_INLINE void add_velocity(Wide<Real> u[3],
 
 template<class Real>
 VESICLE_INLINE void add_velocity(Wide<Real> u[3],
-  const PointSources<Real, PointKind::stresslet_image>& s, int q, const Wide<Real>& dx,
-  const Wide<Real>& dy, const Wide<Real>& dz, const Wide<Real>& over_r)
+  const PointSources<Real, PointKind::stresslet_image>& s, int q, const PointPair<Real>& p,
+  const Wide<Real>& z)
 {
+  const auto& [dx, dy, dz, over_r] = p;
   const Real xx = s.strength[0][q], xy = s.strength[1][q], xz = s.strength[2][q],
              yy = s.strength[3][q], yz = s.strength[4][q], zz = s.strength[5][q],
-             h = -s.position[2][q], trace = xx + yy + zz;
-  const Wide<Real> square = over_r * over_r, z = -(h + dz), sx = xx * dx + xy * dy + xz * dz,
+             h = -static_cast<Real>(s.position[2][q]), trace = xx + yy + zz;
+  const Wide<Real> square = over_r * over_r, sx = xx * dx + xy * dy + xz * dz,
                    sy = xy * dx + yy * dy + yz * dz, sz = xz * dx + yz * dy + zz * dz,
-                   dsd = dx * sx + dy * sy + dz * sz,
-                   along = 2 * z * (5 * h * dsd * square + trace * z) - dsd, across = -4 * h * z,
-                   scale = over_r * square * square;
+                   dsd = (dx * sx + dy * sy + dz * sz) * square,
+                   along = 2 * z * square * (5 * h * dsd + trace * z) - dsd,
+                   across = -4 * h * z * square, scale = over_r * square;
   u[0] += scale * (along * dx + across * sx);
   u[1] += scale * (along * dy + across * sy);
   u[2] += scale * (along * dz + across * sz - 2 * h * dsd);
 }
 
+// Sources that single precision has digits for: rounding their sum leaves 2e-7.
+template<class Real>
+constexpr int most_added_up = std::is_same_v<Real, double> ? std::numeric_limits<int>::max() : 128;
+
 // Two vectors of targets side by side, so that one's arithmetic fills the other's waits.
 template<class Real, PointKind kind>
-VESICLE_INLINE void add_sources_at(
-  const PointSources<Real, kind>& s, const Real* targets, Real* velocities)
+VESICLE_INLINE void add_sources_at(const PointSources<Real, kind>& s, int begin, int end,
+  const Coordinate<Real>* targets, double* velocities)
 {
   constexpr int width = bytes / sizeof(Real), vectors = width < sum_lanes ? 2 : 1;
-  Wide<Real> x[vectors][3], u[vectors][3];
+  WideCoordinate<Real> x[vectors][3];
+  Wide<Real> z[vectors], u[vectors][3];
   for (int v = 0; v < vectors; ++v)
+  {
     for (int c = 0; c < 3; ++c)
     {
       std::memcpy(&x[v][c], targets + c * sum_lanes + v * width, bytes);
-      std::memcpy(&u[v][c], velocities + c * sum_lanes + v * width, bytes);
+      u[v][c] = Wide<Real>{};
     }
-  for (int q = 0; q < s.count; ++q)
+    z[v] = __builtin_convertvector(x[v][2], Wide<Real>);
+  }
+  for (int q = begin; q < end; ++q)
     for (int v = 0; v < vectors; ++v)
     {
-      const Wide<Real> dx = s.position[0][q] - x[v][0], dy = s.position[1][q] - x[v][1],
-                       dz = s.position[2][q] - x[v][2];
-      Wide<Real> over_r;
-      inverse_root(over_r, dx * dx + dy * dy + dz * dz);
-      add_velocity<Real>(u[v], s, q, dx, dy, dz, over_r);
+      PointPair<Real> p;
+      p.dx = __builtin_convertvector(s.position[0][q] - x[v][0], Wide<Real>);
+      p.dy = __builtin_convertvector(s.position[1][q] - x[v][1], Wide<Real>);
+      p.dz = __builtin_convertvector(s.position[2][q] - x[v][2], Wide<Real>);
+      inverse_root(p.over_r, p.dx * p.dx + p.dy * p.dy + p.dz * p.dz);
+      add_velocity<Real>(u[v], s, q, p, z[v]);
     }
   for (int v = 0; v < vectors; ++v)
     for (int c = 0; c < 3; ++c)
-      std::memcpy(velocities + c * sum_lanes + v * width, &u[v][c], bytes);
+      for (int i = 0; i < width; ++i)
+        velocities[c * sum_lanes + v * width + i] += u[v][c][i];
 }
 
 template<class Real, PointKind kind>
-void add_sources(const PointSources<Real, kind>& s, const Real* targets, Real* velocities)
+void add_sources(
+  const PointSources<Real, kind>& s, const Coordinate<Real>* targets, double* velocities)
 {
   constexpr int width = bytes / sizeof(Real), at_once = width < sum_lanes ? 2 * width : width;
-  for (int i = 0; i < sum_lanes; i += at_once)
-    add_sources_at(s, targets + i, velocities + i);
+  for (int q = 0, end; q < s.count; q = end)
+  {
+    end = s.count - q < most_added_up<Real> ? s.count : q + most_added_up<Real>;
+    for (int i = 0; i < sum_lanes; i += at_once)
+      add_sources_at(s, q, end, targets + i, velocities + i);
+  }
 }
 
 double dot(const double* a, const double* b, long n)

@@ -56,8 +56,7 @@ struct Solved
     ContrastMap contrast;
     if (std::any_of(factors.begin(), factors.end(), [](double factor) { return factor != 0; }))
       contrast = [&](const std::vector<Eigen::VectorXd>& nodal, const Eigen::VectorXd& at_vertices,
-                   Precision precision)
-      { return double_layer.apply(nodal, at_vertices, precision); };
+                   double allowed) { return double_layer.apply(nodal, at_vertices, allowed); };
     std::vector<LocalPreconditioner> preconditioners(shape.vesicles.size());
     for (std::size_t v = 0; v < shape.vesicles.size(); ++v)
     {
@@ -66,8 +65,8 @@ struct Solved
         preconditioners[v].build_stiff(*shape.vesicles[v].loads, tau);
     }
     const LoadStage stage(shape,
-      { [&](const std::vector<Eigen::VectorXd>& densities, Precision precision)
-        { return layer.apply(densities, precision); },
+      { [&](const std::vector<Eigen::VectorXd>& densities, double allowed)
+        { return layer.apply(densities, allowed); },
         contrast },
       tau, {}, guess);
     solution = stage.solve(preconditioners, tolerance, 200);

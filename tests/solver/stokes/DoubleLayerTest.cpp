@@ -126,7 +126,7 @@ TEST(DoubleLayer, InSinglePrecisionIsTheSameToItsError)
   const DoubleLayer layer(StokesOperator({ body.surface() }), { 1 });
   const std::vector<Eigen::VectorXd> control{ body.collocation.to_control(u) };
   const Eigen::VectorXd full = layer.apply(control, u),
-                        single = layer.apply(control, u, Precision::single);
+                        single = layer.apply(control, u, single_precision_error);
   EXPECT_NE(full, single);
   EXPECT_LT((single - full).norm() / full.norm(), single_precision_error);
 }

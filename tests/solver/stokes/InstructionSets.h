@@ -1,7 +1,8 @@
 #pragma once
 // The loops of every instruction set that this processor has, and what they make of points.
 
-#include "solver/mesh/TriangleMesh.h"
+#include "solver/stokes/TargetBlocks.h"
+#include "solver/stokes/PointGrid.h"
 #include "solver/stokes/kernels/StokesletLoops.h"
 
 #include <vector>
@@ -26,21 +27,17 @@ template<class Real, PointKind kind>
 Points velocities_by(const StokesletLoops& loops, const Points& positions,
   const Eigen::MatrixXd& strengths, const Points& at)
 {
-  const Eigen::Array<Real, Eigen::Dynamic, 3> x = positions.array().cast<Real>();
+  const PointGrid<Real> grid(std::max(extent_of(positions), extent_of(at)));
+  const auto x = grid.positions(positions);
   const Eigen::Array<Real, Eigen::Dynamic, Eigen::Dynamic> f = strengths.array().cast<Real>();
-  std::vector<Real> targets(3 * sum_lanes), velocities(3 * sum_lanes);
-  for (int i = 0; i < sum_lanes; ++i)
-    for (int c = 0; c < 3; ++c)
-      targets[c * sum_lanes + i] = static_cast<Real>(at(i, c));
-  PointSources<Real, kind> points{ { &x(0, 0), &x(0, 1), &x(0, 2) }, {},
-    static_cast<int>(x.rows()) };
-  for (int c = 0; c < components_of(kind); ++c)
-    points.strength[c] = &f(0, c);
-  loops.add_points<Real, kind>()(points, targets.data(), velocities.data());
+  const auto targets = in_blocks(grid.positions(at));
+  std::vector<double> velocities(3 * sum_lanes);
+  loops.add_points<Real, kind>()(
+    point_sources<kind>(x, f, 0, static_cast<int>(x.rows())), targets.data(), velocities.data());
   Points velocity(sum_lanes, 3);
   for (int i = 0; i < sum_lanes; ++i)
     for (int c = 0; c < 3; ++c)
-      velocity(i, c) = velocities[c * sum_lanes + i];
+      velocity(i, c) = grid.unit(kind) * velocities[place_in_blocks(i, c)];
   return velocity;
 }
 

@@ -188,7 +188,7 @@ TEST(LayerSum, IsTheWholeMatrixApplied)
     }
     EXPECT_LT((sum.apply(densities) - u).norm(), 1e-13 * u.norm()) << points;
     EXPECT_LT(
-      (sum.apply(densities, Precision::single) - u).norm(), single_precision_error * u.norm())
+      (sum.apply(densities, single_precision_error) - u).norm(), single_precision_error * u.norm())
       << points;
     const LayerSum by_tree(
       layer, [](const PointPlaces& places) { return std::make_unique<TreeSum>(places, 1e-7); });

@@ -204,10 +204,9 @@ void expect_sums_give_the_formula()
     const Points at = over_wall(targets, 4, 100), exact = sources.formula(at, stresslets);
     Points full = Points::Zero(targets, 3), single = full, tree = full;
     const DirectPointSum<kind> sum(sources.position, at);
-    sum.add(sources.strengths(stresslets), Precision::full, full);
-    sum.add(sources.strengths(stresslets), Precision::single, single);
-    TreePointSum<kind>({ sources.position, at }, 1e-7)
-      .add(sources.strengths(stresslets), Precision::full, tree);
+    sum.add(sources.strengths(stresslets), 0, full);
+    sum.add(sources.strengths(stresslets), single_precision_error, single);
+    TreePointSum<kind>({ sources.position, at }, 1e-7).add(sources.strengths(stresslets), 0, tree);
     EXPECT_LT((full - exact).norm(), 1e-13 * exact.norm()) << targets;
     EXPECT_LT((single - exact).norm(), single_precision_error * exact.norm()) << targets;
     EXPECT_LT((tree - exact).norm(), 1e-6 * exact.norm()) << targets;
@@ -268,7 +267,7 @@ Eigen::VectorXd images(
   const WallImages made(StokesOperator({ body.surface() }), wall, kind, { 1 },
     kind == PointKind::force ? direct<PointKind::force_image> : direct<PointKind::stresslet_image>);
   Eigen::VectorXd velocity = Eigen::VectorXd::Zero(3 * body.mesh.points.rows());
-  made.add({ body.collocation.to_control(body.sampled(density)) }, Precision::full, velocity);
+  made.add({ body.collocation.to_control(body.sampled(density)) }, 0, velocity);
   return velocity;
 }
 
@@ -374,7 +373,7 @@ TEST(WallImages, LeaveTheLayerPositive)
   for (Eigen::Index k = 0; k < with.cols(); ++k)
   {
     Eigen::VectorXd column = Eigen::VectorXd::Zero(with.rows());
-    made.add({ Eigen::VectorXd::Unit(with.cols(), k) }, Precision::full, column);
+    made.add({ Eigen::VectorXd::Unit(with.cols(), k) }, 0, column);
     with.col(k) += column;
   }
   // Of smooth densities; collocation isn't Galerkin's.
