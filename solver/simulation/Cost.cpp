@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <set>
 #include <string>
 
 #include <unistd.h>
@@ -18,10 +19,12 @@ namespace vesicle
 namespace
 {
 
-// Fitted to 320, 1,280 and 5,120 triangles on flat triangles and on Loop's surface: the memory, with a
-// dense matrix and without, and the time of a step on one core.
-constexpr double program_bytes = 6e7;
-constexpr double flat_bytes_a_triangle = 2.3e4, loop_bytes_a_triangle = 8.5e4;
+// Fitted to 320, 1,280 and 5,120 triangles on flat triangles and on Loop's surface, one vesicle and two, and
+// 64 of 320: the memory, with a dense matrix and without, and the time of a step on one core. What a mesh
+// fixes is there once for all vesicles on it.
+constexpr double program_bytes = 7e7;
+constexpr double flat_bytes_a_triangle = 2.3e4, loop_bytes_a_triangle = 5e4,
+                 loop_bytes_a_shared_triangle = 8.5e4;
 constexpr double dense_bytes_a_pair = 27;
 constexpr double flat_seconds_a_pair = 1.7e-8, loop_seconds_a_pair = 2.5e-8;
 // From so many triangles on, clusters act on clusters: the time grows as their number.
@@ -60,6 +63,25 @@ double step_seconds(const Scene& scene, double triangles)
     (clusters ? std::min(triangles, most_paired_triangles) : triangles);
 }
 
+/// Of all vesicles the part that has meshes of its own: shapes of as many triangles have one.
+double different_meshes(const Scene& scene)
+{
+  std::set<std::string> meshes;
+  for (std::size_t v = 0; v < scene.vesicles(); ++v)
+  {
+    const Scene::Vesicle& vesicle = v == 0 ? scene.vesicle : scene.companions[v - 1].vesicle;
+    meshes.insert(
+      vesicle.mesh_file ? vesicle.mesh_file->string() : std::to_string(vesicle.shape.triangles));
+  }
+  return static_cast<double>(meshes.size()) / static_cast<double>(scene.vesicles());
+}
+
+double loop_bytes(const Scene& scene, double triangles)
+{
+  return triangles *
+    (loop_bytes_a_triangle + loop_bytes_a_shared_triangle * different_meshes(scene));
+}
+
 }
 
 double shape_triangles(const Scene& scene)
@@ -79,7 +101,8 @@ Cost cost_of(const Scene& scene, double triangles)
              dense = flat || scene.accuracy.layer == LayerMethod::dense;
   const double pairs = triangles * triangles;
   Cost cost;
-  cost.memory = program_bytes + (flat ? flat_bytes_a_triangle : loop_bytes_a_triangle) * triangles +
+  cost.memory = program_bytes +
+    (flat ? flat_bytes_a_triangle * triangles : loop_bytes(scene, triangles)) +
     (dense ? dense_bytes_a_pair * pairs : 0);
   if (scene.time.end && scene.time.output_every > 0)
     cost.frames = *scene.time.end / scene.time.output_every + 1;

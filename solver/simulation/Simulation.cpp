@@ -20,6 +20,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace vesicle
 {
@@ -130,7 +131,7 @@ struct Simulation::Impl
   Scales scales;
   OutputSchedule schedule;
   std::optional<MeshAdaptation> adaptation;
-  std::unique_ptr<SceneOnMesh> on_mesh; ///< of the mesh asked for last
+  std::unique_ptr<SceneOnMesh> on_mesh; ///< of the mesh asked for last, if it is needed
   DimensionlessNumbers numbers;
   std::string notes;
   std::shared_ptr<const State> refused;
@@ -205,26 +206,31 @@ struct Simulation::Impl
   Points scaled_reference(std::size_t v) const { return references[v] / scales.length; }
 
   /// Elastic membranes keep the start's shape in mind, whatever they are.
+  VesicleMesh vesicle_mesh(std::size_t v, const TriangleMesh& mesh) const
+  {
+    return { mesh.triangles, static_cast<int>(mesh.points.rows()),
+      start_meshes[v].points / scales.length, scaled_reference(v) };
+  }
   std::unique_ptr<SceneOnMesh> on(const std::vector<TriangleMesh>& meshes) const
   {
-    const std::vector<Points> start = start_points();
     std::vector<VesicleMesh> vesicles;
     for (std::size_t v = 0; v < meshes.size(); ++v)
-      vesicles.push_back({ meshes[v].triangles, static_cast<int>(meshes[v].points.rows()), start[v],
-        scaled_reference(v) });
+      vesicles.push_back(vesicle_mesh(v, meshes[v]));
     return std::make_unique<SceneOnMesh>(scene, scales, std::move(vesicles));
   }
   Evolution& start_evolution()
   {
-    if (adaptation && !same_triangles(on_mesh->triangles(0), start_meshes[0].triangles))
-      on_mesh = on(start_meshes);
-    return on_mesh->evolution();
+    return at(start_meshes[0].triangles, [&] { return start_meshes; }).evolution();
+  }
+  SceneOnMesh& at(const Triangles& first, const std::function<std::vector<TriangleMesh>()>& meshes)
+  {
+    if (!on_mesh || (adaptation && !same_triangles(on_mesh->triangles(0), first)))
+      on_mesh = on(meshes());
+    return *on_mesh;
   }
   SceneOnMesh& at(const State& state)
   {
-    if (adaptation && !same_triangles(on_mesh->triangles(0), state.vesicles[0].triangles))
-      on_mesh = on(meshes_of(state));
-    return *on_mesh;
+    return at(state.vesicles[0].triangles, [&] { return meshes_of(state); });
   }
   Evolution& evolution(const State& state) { return at(state).evolution(); }
   std::shared_ptr<const SystemShape> shape(const State& state)
@@ -301,17 +307,17 @@ struct Simulation::Impl
     Scene other = scene;
     other.accuracy.quadrature = quadrature;
     std::vector<VesicleMesh> meshes;
-    const std::vector<Points> start = start_points();
     for (std::size_t v = 0; v < vesicles(); ++v)
-      meshes.push_back({ state.vesicles[v].triangles,
-        static_cast<int>(state.vesicles[v].points.rows()), start[v], scaled_reference(v) });
-    SceneOnMesh mesh(other, scales, std::move(meshes));
-    return mesh.evolution().instant(points_of(state));
+      meshes.push_back(vesicle_mesh(v, { state.vesicles[v].points, state.vesicles[v].triangles }));
+    return SceneOnMesh(other, scales, std::move(meshes)).evolution().instant(points_of(state));
   }
+  // What the steps need is given up before as much is made of the other rule.
   double layer_error(const State& state)
   {
-    const State own = evolution(state).instant(points_of(state)),
-                other = by_rule(state, other_quadrature(scene.accuracy.quadrature));
+    const double rate = evolution(state).system().rate();
+    const State own = evolution(state).instant(points_of(state));
+    on_mesh.reset();
+    const State other = by_rule(state, other_quadrature(scene.accuracy.quadrature));
     double change = 0, squared = 0, count = 0;
     for (std::size_t v = 0; v < vesicles(); ++v)
     {
@@ -320,7 +326,7 @@ struct Simulation::Impl
       squared += there.rowwise().squaredNorm().sum();
       count += static_cast<double>(there.rows());
     }
-    const double speed = std::max(std::sqrt(squared / count), evolution(state).system().rate());
+    const double speed = std::max(std::sqrt(squared / count), rate);
     return speed > 0 ? std::sqrt(change / count) / speed : 0;
   }
   // A membrane whose energy is another than 2 ∮ H² dS can't be told from Loop's surface so.
@@ -610,8 +616,8 @@ ErrorEstimate Simulation::error_estimate(const State& state)
 {
   ErrorEstimate estimate;
   impl_->estimate_energy(state, estimate);
-  estimate.layer = impl_->layer_error(state);
   estimate.time = impl_->projected(state);
+  estimate.layer = impl_->layer_error(state);
   return estimate;
 }
 
