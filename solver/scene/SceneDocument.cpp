@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <charconv>
 #include <iterator>
+#include <optional>
 #include <sstream>
 #include <string_view>
 
@@ -225,6 +226,15 @@ Override split_override(const std::string& text)
   return { table, key, text.substr(equals + 1), where };
 }
 
+/// ".3" and "5.", which aren't TOML.
+std::optional<double> whole_number(const std::string& text)
+{
+  double number;
+  const char* end = text.data() + text.size();
+  const auto [read_to, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc() && read_to == end ? std::optional(number) : std::nullopt;
+}
+
 /// Words that aren't TOML are taken as strings, so that nobody has to quote quotes in a shell;
 /// something that starts like a quoted string, array or table must be one.
 SceneValue override_value(const Override& change)
@@ -248,9 +258,12 @@ SceneValue override_value(const Override& change)
                                    "false, a word, or an array like [0, 0, 1]",
         change.where, error.description()));
   }
-  value.data = change.value;
   value.where = change.where;
   value.text = change.value;
+  if (const auto number = whole_number(change.value))
+    value.data = *number;
+  else
+    value.data = change.value;
   return value;
 }
 

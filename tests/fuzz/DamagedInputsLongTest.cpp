@@ -38,7 +38,8 @@ struct Input
 };
 
 constexpr Input inputs[] = { { "meshes", meshes, 8000 }, { "xml_surfaces", xml_surfaces, 4000 },
-  { "scenes", scenes, 5000 }, { "run_files", run_files, 3000 } };
+  { "velocity_fields", velocity_fields, 4000 }, { "scenes", scenes, 5000 },
+  { "run_files", run_files, 3000 } };
 
 struct Tally
 {

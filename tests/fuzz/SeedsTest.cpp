@@ -57,7 +57,7 @@ TEST_P(Fuzz, DamagedSeedsAreTakenWithoutAFault)
 INSTANTIATE_TEST_SUITE_P(Targets, Fuzz,
   testing::Values(Target{ "meshes", meshes, 20000 }, Target{ "scenes", scenes, 20000 },
     Target{ "run_files", run_files, 500 }, Target{ "xml_surfaces", xml_surfaces, 1000 },
-    Target{ "filters", filters, 1000 }),
+    Target{ "velocity_fields", velocity_fields, 2000 }, Target{ "filters", filters, 1000 }),
   [](const auto& target) { return target.param.name; });
 
 }

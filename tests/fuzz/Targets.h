@@ -17,6 +17,8 @@ void scenes(std::string_view bytes);
 void run_files(std::string_view bytes);
 /// The first byte chooses .vtp, .vtu or .pvtu; the latter's piece follows it behind a zero.
 void xml_surfaces(std::string_view bytes);
+/// The first byte chooses .vti, .vtr, .vts, .vtu or .vtk.
+void velocity_fields(std::string_view bytes);
 /// A surface in a pipeline and the filter that it meets, see Filters.cpp.
 void filters(std::string_view bytes);
 

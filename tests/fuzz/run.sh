@@ -7,7 +7,7 @@ set -uo pipefail
 cd "$(dirname "$0")/../.."
 seconds=${1:-60}
 shift || true
-targets=(${*:-meshes scenes run_files xml_surfaces filters})
+targets=(${*:-meshes scenes run_files xml_surfaces velocity_fields filters})
 mkdir -p build
 cmake --preset fuzz > build/fuzz.log 2>&1 || { cat build/fuzz.log >&2; exit 1; }
 cmake --build --preset fuzz --target "${targets[@]/#/fuzz_}" || exit 1

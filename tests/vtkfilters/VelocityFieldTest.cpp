@@ -17,15 +17,21 @@
 #include "vtkDataSetTriangleFilter.h"
 #include "vtkDataSetWriter.h"
 #include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdList.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkStructuredGrid.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVesicleForceFilter.h"
 #include "vtkVesicleSource.h"
 #include "vtkVesicleStepper.h"
 #include "vtkXMLImageDataWriter.h"
+#include "vtkXMLRectilinearGridWriter.h"
+#include "vtkXMLStructuredGridWriter.h"
 #include "vtkXMLUnstructuredGridWriter.h"
 
 #include <gtest/gtest.h>
@@ -33,6 +39,7 @@
 #include <fstream>
 #include <functional>
 #include <limits>
+#include <type_traits>
 
 namespace vesicle::test
 {
@@ -127,6 +134,91 @@ TEST(VelocityField, OfAShearIsTheShear)
   EXPECT_LT(largest_difference(end_in(field_of(xml)), exact), solved);
   const path legacy = written<vtkDataSetWriter>(cut->GetOutput(), folder.path() / "u.vtk");
   EXPECT_LT(largest_difference(end_in(field_of(legacy)), exact), 1e-6); // written with 6 digits
+}
+
+/// The box −4 to 4 as one cell of six faces.
+vtkNew<vtkUnstructuredGrid> polyhedron(const Velocity& u)
+{
+  vtkNew<vtkUnstructuredGrid> grid;
+  vtkNew<vtkPoints> points;
+  for (int i = 0; i < 8; ++i)
+    points->InsertNextPoint(8 * (i & 1) - 4, 4 * (i & 2) - 4, 2 * (i & 4) - 4);
+  grid->SetPoints(points);
+  vtkNew<vtkIdList> faces;
+  const std::vector<vtkIdType> numbers{ 6, 4, 0, 2, 3, 1, 4, 4, 5, 7, 6, 4, 0, 1, 5, 4, 4, 2, 6, 7,
+    3, 4, 0, 4, 6, 2, 4, 1, 3, 7, 5 };
+  for (const vtkIdType number : numbers)
+    faces->InsertNextId(number);
+  grid->InsertNextCell(VTK_POLYHEDRON, faces);
+  grid->GetPointData()->AddArray(vectors(grid, u));
+  return grid;
+}
+
+/// The image with the places of its points written down.
+template<class Grid>
+vtkNew<Grid> spelt_out(vtkImageData* image)
+{
+  vtkNew<Grid> grid;
+  grid->SetDimensions(image->GetDimensions());
+  if constexpr (std::is_same_v<Grid, vtkRectilinearGrid>)
+  {
+    vtkNew<vtkFloatArray> along;
+    for (int i = 0; i < image->GetDimensions()[0]; ++i)
+      along->InsertNextValue(static_cast<float>(image->GetPoint(i)[0]));
+    grid->SetXCoordinates(along);
+    grid->SetYCoordinates(along);
+    grid->SetZCoordinates(along);
+  }
+  else
+  {
+    vtkNew<vtkPoints> points;
+    for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+      points->InsertNextPoint(image->GetPoint(i));
+    grid->SetPoints(points);
+  }
+  grid->GetPointData()->ShallowCopy(image->GetPointData());
+  return grid;
+}
+
+double largest_error(const path& file)
+{
+  std::string notes;
+  const auto field = read_velocity_field(file, notes);
+  const Points at = 3.9 * Points::Random(50, 3);
+  const Points u = field->velocities(at, 0);
+  double largest = 0;
+  for (Eigen::Index i = 0; i < at.rows(); ++i)
+    largest = std::max(largest, (u.row(i).transpose() - shear(at.row(i).transpose())).norm());
+  return largest;
+}
+
+// Floats of 4 and 8/5 are exact to 1e-7; legacy files in text have six digits.
+TEST(VelocityField, OfEveryKindOfGridAndFileIsTheSame)
+{
+  const TemporaryFolder folder;
+  const auto box = image(shear);
+  const auto in_file = [&](const char* name) { return folder.path() / name; };
+  const auto rectilinear = spelt_out<vtkRectilinearGrid>(box);
+  const auto structured = spelt_out<vtkStructuredGrid>(box);
+  EXPECT_LT(largest_error(written<vtkXMLImageDataWriter>(box, in_file("u.vti"))), 1e-12);
+  EXPECT_LT(
+    largest_error(written<vtkXMLRectilinearGridWriter>(rectilinear, in_file("u.vtr"))), 1e-5);
+  EXPECT_LT(largest_error(written<vtkXMLStructuredGridWriter>(structured, in_file("u.vts"))), 1e-5);
+  EXPECT_LT(
+    largest_error(written<vtkXMLUnstructuredGridWriter>(polyhedron(shear), in_file("u.vtu"))),
+    1e-5);
+  EXPECT_LT(largest_error(written<vtkDataSetWriter>(box, in_file("image.vtk"))), 1e-4);
+  EXPECT_LT(largest_error(written<vtkDataSetWriter>(rectilinear, in_file("r.vtk"))), 1e-4);
+  EXPECT_LT(largest_error(written<vtkDataSetWriter>(structured, in_file("s.vtk"))), 1e-4);
+
+  // Axes that are turned, and numbers that don't begin at 0.
+  vtkNew<vtkImageData> turned;
+  turned->SetExtent(-2, 3, 1, 6, 0, 5);
+  turned->SetSpacing(1.6, 1.6, 1.6);
+  turned->SetDirectionMatrix(0, -1, 0, 1, 0, 0, 0, 0, 1);
+  turned->SetOrigin(5.6, -0.8, -4);
+  turned->GetPointData()->AddArray(vectors(turned, shear));
+  EXPECT_LT(largest_error(written<vtkXMLImageDataWriter>(turned, in_file("turned.vti"))), 1e-12);
 }
 
 TEST(VelocityField, HasTheRateOfItsGradient)
@@ -272,6 +364,40 @@ TEST(VelocityField, RefusesWhatIsNone)
     std::string::npos);
 }
 
+// VTK's own readers follow them: into memory that isn't theirs.
+TEST(VelocityField, NumbersOfAFileAreCheckedBeforeTheyAreFollowed)
+{
+  const TemporaryFolder folder;
+  const auto changed = [&](const path& file, const std::string& from, const std::string& to)
+  {
+    std::string text = read_file(file);
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    text.replace(at, from.size(), to);
+    std::ofstream(file) << text;
+    return refusal(file);
+  };
+  const auto grid = [&]
+  {
+    vtkNew<vtkXMLUnstructuredGridWriter> writer;
+    writer->SetInputData(polyhedron(shear));
+    writer->SetDataModeToAscii();
+    writer->SetFileName((folder.path() / "u.vtu").c_str());
+    writer->Write();
+    return folder.path() / "u.vtu";
+  };
+  EXPECT_NE(changed(grid(), "6 7\n", "6 900000000\n").find("900000000"), std::string::npos);
+  EXPECT_NE(
+    changed(grid(), "6 4 0 2 3 1", "6 4 0 2 3 8").find("that there isn't"), std::string::npos);
+  EXPECT_NE(changed(grid(), "6 4 0 2 3 1", "6 900 0 2 3 1").find("faces"), std::string::npos);
+  EXPECT_NE(
+    changed(grid(), "\n          42\n", "\n          70\n").find("type 70"), std::string::npos);
+  const auto extents = image_file(folder, shear);
+  EXPECT_NE(
+    changed(extents, "Piece Extent=\"0 5 0 5 0 5\"", "Piece Extent=\"0 9 0 5 0 5\"").find("'U'"),
+    std::string::npos);
+}
+
 // By the second input.
 vtkNew<vtkVesicleSource> prolate()
 {
@@ -280,6 +406,13 @@ vtkNew<vtkVesicleSource> prolate()
   shape->SetReducedVolume(0.9);
   shape->SetTriangles(80);
   return shape;
+}
+
+vtkSmartPointer<vtkPolyData> prolate_data()
+{
+  const auto shape = prolate();
+  shape->Update();
+  return shape->GetOutput();
 }
 
 Points points_of(vtkPolyData* surface)
@@ -315,6 +448,40 @@ TEST(VelocityField, OfAPipelineIsThatOfThePropertiesToo)
   in_shear->SetFlowKind(vtkVesicleStepper::AtRest);
   in_shear->UpdateTimeStep(0.2);
   EXPECT_EQ(points_of(in_field->GetOutput()), points_of(in_shear->GetOutput()));
+}
+
+std::string refusal(vtkDataObject* field)
+{
+  vtkNew<vtkVesicleStepper> stepper;
+  stepper->SetInputConnection(prolate()->GetOutputPort());
+  stepper->SetVelocityFieldData(field);
+  const VtkMessages messages;
+  stepper->UpdateTimeStep(0.1);
+  return messages.first_error();
+}
+
+TEST(VelocityField, OfAPipelineIsCheckedAsThatOfAFileIs)
+{
+  const auto box = image(shear);
+  EXPECT_NE(refusal(prolate_data()).find("vtkPolyData"), std::string::npos);
+  auto structured = spelt_out<vtkStructuredGrid>(box);
+  structured->GetPoints()->Resize(7);
+  structured->GetPoints()->SetNumberOfPoints(7);
+  EXPECT_NE(refusal(structured).find("7 places"), std::string::npos);
+  auto rectilinear = spelt_out<vtkRectilinearGrid>(box);
+  rectilinear->GetYCoordinates()->SetNumberOfTuples(2);
+  EXPECT_NE(refusal(rectilinear).find("2 places"), std::string::npos);
+  auto cells = image(shear);
+  cells->GetPointData()->Initialize();
+  vtkNew<vtkDoubleArray> few;
+  few->SetName("U");
+  few->SetNumberOfComponents(3);
+  few->InsertNextTuple3(1, 0, 0);
+  cells->GetCellData()->AddArray(few);
+  EXPECT_NE(refusal(cells).find("1 velocities for 125 cells"), std::string::npos);
+  auto grid = polyhedron(shear);
+  grid->GetFaces()->SetValue(4, 99);
+  EXPECT_NE(refusal(grid).find("that there isn't"), std::string::npos);
 }
 
 // A field that is refused leaves the scene as it was.

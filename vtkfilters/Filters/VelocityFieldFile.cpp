@@ -1,18 +1,14 @@
 #include "VelocityFieldFile.h"
 
+#include "GridConversion.h"
 #include "SeriesFile.h"
 #include "VelocitySample.h"
-#include "VtkMessages.h"
+#include "XmlGridFile.h"
 
 #include "solver/Errors.h"
 #include "solver/files/FileBytes.h"
 #include "solver/flow/FieldFlow.h"
-
-#include "vtkDataSet.h"
-#include "vtkDataSetReader.h"
-#include "vtkNew.h"
-#include "vtkSmartPointer.h"
-#include "vtkXMLGenericDataObjectReader.h"
+#include "solver/mesh/io/LegacyVtkFile.h"
 
 #include <fmt/format.h>
 
@@ -39,28 +35,10 @@ vtkSmartPointer<vtkDataSet> read_data_set(const path& file)
     fail(file, "is no file of a velocity field", "take .vti .vtr .vts .vtu .vtk .pvd or .series");
   if (!is_file(file))
     fail(file, "can't be read", "give the path of a velocity field, from the scene's folder");
-  const VtkMessages messages;
-  vtkSmartPointer<vtkDataSet> data;
-  if (file.extension() == ".vtk")
-  {
-    vtkNew<vtkDataSetReader> reader;
-    reader->SetFileName(file.c_str());
-    reader->ReadAllVectorsOn();
-    reader->Update();
-    data = reader->GetOutput();
-  }
-  else
-  {
-    vtkNew<vtkXMLGenericDataObjectReader> reader;
-    reader->SetFileName(file.c_str());
-    reader->Update();
-    data = vtkDataSet::SafeDownCast(reader->GetOutput());
-  }
-  if (messages.any_error())
-    fail(file, messages.first_error(), "write it anew");
-  if (!data)
-    fail(file, "holds no data set", "give an image or a grid with velocities");
-  return data;
+  const GridFile grid = file.extension() == ".vtk"
+    ? read_legacy_vtk_grid(read_file(file), file.string())
+    : read_xml_grid(file);
+  return to_data_set(grid, file.string());
 }
 
 class VelocityFieldFile final : public VelocityField

@@ -68,18 +68,35 @@ public:
   {
   }
 
-  SurfaceFile read()
+  SurfaceFile surface()
   {
     read_header();
-    while (true)
-    {
-      const auto word = scanner_.word();
-      if (word.empty())
-        break;
-      read_section(in_capitals(word));
-    }
+    if (data_set_ != "POLYDATA" && data_set_ != "UNSTRUCTURED_GRID")
+      scanner_.fail(
+        "the data set should be POLYDATA or UNSTRUCTURED_GRID, another holds no surface of "
+        "polygons (vtkDataSetSurfaceFilter, ParaView's Extract Surface, makes one)");
+    read_sections();
     finish();
     return std::move(file_);
+  }
+
+  GridFile grid()
+  {
+    using Kind = GridFile::Kind;
+    static constexpr std::array kinds{ std::pair{ "STRUCTURED_POINTS", Kind::image },
+      std::pair{ "RECTILINEAR_GRID", Kind::rectilinear },
+      std::pair{ "STRUCTURED_GRID", Kind::structured },
+      std::pair{ "UNSTRUCTURED_GRID", Kind::unstructured } };
+    read_header();
+    const auto kind = std::ranges::find(kinds, data_set_, [](const auto& k) { return k.first; });
+    if (kind == kinds.end())
+      scanner_.fail(
+        "the data set should be STRUCTURED_POINTS, RECTILINEAR_GRID, STRUCTURED_GRID or "
+        "UNSTRUCTURED_GRID, in which fields live");
+    grid_.kind = kind->second;
+    read_sections();
+    finish_field();
+    return std::move(grid_);
   }
 
 private:
@@ -95,17 +112,19 @@ private:
       scanner_.fail("ASCII or BINARY should be here");
     binary_ = format == "BINARY";
     const std::string keyword = in_capitals(scanner_.word());
-    const std::string data_set = in_capitals(scanner_.word_on_line());
+    data_set_ = in_capitals(scanner_.word_on_line());
     if (keyword == "FIELD")
       scanner_.fail("holds fields without a surface");
     if (keyword != "DATASET")
       scanner_.fail(keyword.empty() ? "the file ends too early, where 'DATASET' should be"
                                     : "'DATASET' should be here");
-    if (data_set != "POLYDATA" && data_set != "UNSTRUCTURED_GRID")
-      scanner_.fail(
-        "the data set should be POLYDATA or UNSTRUCTURED_GRID, another holds no surface of "
-        "polygons (vtkDataSetSurfaceFilter, ParaView's Extract Surface, makes one)");
-    is_grid_ = data_set == "UNSTRUCTURED_GRID";
+    is_grid_ = data_set_ == "UNSTRUCTURED_GRID";
+  }
+
+  void read_sections()
+  {
+    for (auto word = scanner_.word(); !word.empty(); word = scanner_.word())
+      read_section(in_capitals(word));
   }
 
   void read_section(const std::string& keyword)
@@ -129,7 +148,7 @@ private:
       read_field();
     else if (keyword == "LOOKUP_TABLE")
       pass_over_table();
-    else if (!read_attribute(keyword))
+    else if (!read_structure(keyword) && !read_attribute(keyword))
       scanner_.fail("a keyword of a VTK file should be here");
   }
 
@@ -303,6 +322,55 @@ private:
         file_.single_precision = std::is_same_v<Value, float> || sizeof(Value) <= 2;
         if constexpr (std::is_arithmetic_v<Value>)
           std::copy(v.begin(), v.end(), file_.points.data());
+        else
+          scanner_.fail("coordinates should be numbers");
+      },
+      all);
+  }
+
+  // Of data sets that aren't surfaces.
+  bool read_structure(const std::string& keyword)
+  {
+    static constexpr std::array axes{ "X_COORDINATES", "Y_COORDINATES", "Z_COORDINATES" };
+    if (data_set_ == "POLYDATA" || is_grid_)
+      return false;
+    if (keyword == "DIMENSIONS")
+      for (int c = 0; c < 3; ++c)
+      {
+        const auto points = count("the number of points along an axis");
+        if (points < 1 || points > std::numeric_limits<int>::max())
+          scanner_.fail(fmt::format("there are {} points along an axis", points));
+        grid_.extent[2 * c] = 0;
+        grid_.extent[2 * c + 1] = static_cast<int>(points - 1);
+      }
+    else if (keyword == "ORIGIN")
+      read_three(grid_.origin, "the origin");
+    else if (keyword == "SPACING" || keyword == "ASPECT_RATIO")
+      read_three(grid_.spacing, "the spacing");
+    else if (const auto axis = std::ranges::find(axes, keyword); axis != axes.end())
+      read_coordinates(grid_.coordinates[axis - axes.begin()]);
+    else
+      return false;
+    return true;
+  }
+
+  void read_three(std::array<double, 3>& numbers, std::string_view what)
+  {
+    for (double& number : numbers)
+      number = scanner_.number<double>(what);
+  }
+
+  void read_coordinates(std::vector<double>& along)
+  {
+    const auto points = count("the number of coordinates");
+    const std::string type(scanner_.word_on_line());
+    auto all = values(type, product(points, 1), "the coordinates");
+    std::visit(
+      [&](const auto& v)
+      {
+        using Value = typename std::decay_t<decltype(v)>::value_type;
+        if constexpr (std::is_arithmetic_v<Value>)
+          along.assign(v.begin(), v.end());
         else
           scanner_.fail("coordinates should be numbers");
       },
@@ -520,14 +588,33 @@ private:
     }
   }
 
-  std::int64_t finish_grid()
+  void require_types() const
   {
-    if (lists_.empty() && cell_types_.empty())
-      return 0;
     if (lists_.size() != 1 || !has_cell_types_ ||
       lists_[0].second.size() != static_cast<std::int64_t>(cell_types_.size()))
       scanner_.fail("an unstructured grid needs CELLS and as many CELL_TYPES (or the file ends too "
                     "early)");
+  }
+
+  void finish_field()
+  {
+    if (is_grid_)
+    {
+      require_types();
+      grid_.types = converted<std::int64_t>(cell_types_);
+      grid_.offsets = std::move(lists_[0].second.offsets);
+      grid_.corners = std::move(lists_[0].second.corners);
+    }
+    grid_.points = std::move(file_.points);
+    grid_.point_data = std::move(file_.point_data);
+    grid_.cell_data = std::move(file_.cell_data);
+  }
+
+  std::int64_t finish_grid()
+  {
+    if (lists_.empty() && cell_types_.empty())
+      return 0;
+    require_types();
     const CellList& list = lists_[0].second;
     for (std::int64_t i = 0; i < list.size(); ++i)
       add_cell(file_.polygons, cell_types_[i], list[i], i, name_);
@@ -553,7 +640,8 @@ private:
   std::string name_;
   TextScanner scanner_;
   bool binary_ = false;
-  bool is_grid_ = false;
+  std::string data_set_;
+  bool is_grid_ = false; ///< unstructured
   std::vector<std::pair<std::string, CellList>> lists_;
   std::vector<std::int32_t> cell_types_;
   bool has_cell_types_ = false;
@@ -561,13 +649,19 @@ private:
   std::int64_t tuples_ = 0;
   Place last_; ///< the array read last
   SurfaceFile file_;
+  GridFile grid_; ///< what surfaces don't have, and all of it in the end
 };
 
 }
 
 SurfaceFile read_legacy_vtk(std::string_view bytes, const std::string& name)
 {
-  return LegacyVtkReader(bytes, name).read();
+  return LegacyVtkReader(bytes, name).surface();
+}
+
+GridFile read_legacy_vtk_grid(std::string_view bytes, const std::string& name)
+{
+  return LegacyVtkReader(bytes, name).grid();
 }
 
 }

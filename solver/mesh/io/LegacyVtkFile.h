@@ -1,7 +1,7 @@
 #pragma once
 // VTK's legacy files, .vtk.
 
-#include "solver/mesh/io/SurfaceFile.h"
+#include "solver/mesh/io/GridFile.h"
 
 #include <string>
 #include <string_view>
@@ -14,5 +14,8 @@ namespace vesicle
 /// with the line (of a binary file: counted by the line feeds outside its numbers), also for other
 /// data sets and cells that aren't flat polygons.
 SurfaceFile read_legacy_vtk(std::string_view bytes, const std::string& name);
+
+/// The same of STRUCTURED_POINTS, RECTILINEAR_GRID, STRUCTURED_GRID and UNSTRUCTURED_GRID.
+GridFile read_legacy_vtk_grid(std::string_view bytes, const std::string& name);
 
 }

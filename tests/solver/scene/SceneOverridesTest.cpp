@@ -50,6 +50,13 @@ double rate_of(const Scene& scene)
 
 }
 
+TEST(SceneOverrides, NumbersMayBeginOrEndWithTheirPoint)
+{
+  EXPECT_EQ(rate_of(with({ "flow.rate=.5" })), 0.5);
+  EXPECT_EQ(rate_of(with({ "flow.rate=5." })), 5);
+  EXPECT_EQ(rate_of(with({ "flow.rate=-.5e1" })), -5);
+}
+
 TEST(SceneOverrides, ReplaceAndAdd)
 {
   const Scene scene = with({ "flow.rate=2.5", "time.end=steady", "fluid.viscosity=3",
