@@ -21,9 +21,7 @@ DoubleLayer::DoubleLayer(
     const LayerSurface& surface = layer.surface(s);
     Source source{ &surface.rules->regular().table,
       double_layer_factor * at.weight.asDiagonal() * at.surface.cross.rowwise().normalized(),
-      layer.first_vertex(s), points_, layer.double_layer_corrections(s), {}, factors[s], {} };
-    if (layer.surfaces() > 1)
-      source.near = layer.near_surface_corrections(s, PointKind::stresslet);
+      layer.first_vertex(s), points_, layer.corrections(s, PointKind::stresslet), factors[s], {} };
     const int own = surface.rules->vertices();
     source.own = layer.surfaces() == 1
       ? own_blocks(source, *sum_, own)
@@ -48,7 +46,7 @@ RowVectors DoubleLayer::own_blocks(const Source& source, const PointSum& sum, in
     const Points constant = Vector3::Unit(c).transpose().replicate(vertices, 1);
     Points made = Points::Zero(vertices, 3);
     sum.add(stresslets(source, constant), 0, made);
-    source.corrections.add(double_layer_factor * flat(constant), 0, made);
+    source.corrections.own.add(double_layer_factor * flat(constant), 0, made);
     own.col(c) = flat(Points(constant / 2 - made));
   }
   return own;
@@ -68,8 +66,6 @@ Eigen::VectorXd DoubleLayer::apply(const std::vector<Eigen::VectorXd>& nodal,
     const Source& source = sources_[s];
     const Eigen::VectorXd scaled = double_layer_factor * source.factor * nodal[s];
     source.corrections.add(scaled, source.first_vertex, result);
-    if (source.near)
-      source.near->add(scaled, result);
     for (Eigen::Index i = 0; i < source.own.rows() / 3; ++i)
       result.row(source.first_vertex + i) += source.factor *
         (source.own.middleRows<3>(3 * i) * at_vertices.segment<3>(3 * (source.first_vertex + i)))

@@ -33,9 +33,7 @@ private:
     const BasisTable* table;
     RowVectors normal;             ///< at the table's rows: 3/4π n dS
     int first_vertex, first_point; ///< among all
-    LayerCorrections corrections;
-    std::optional<NearSurfaceCorrections>
-      near; ///< at other surfaces' vertices, where there are any
+    SurfaceCorrections corrections;
     double factor;
     RowVectors
       own; ///< ½ − the rules' K of constants at its vertices: 3 by 3 each, one below the other

@@ -17,9 +17,7 @@ LayerSum::LayerSum(const StokesOperator& layer, const MakePointSum& make_sum)
   {
     const Eigen::VectorXd& weight = layer.regular_points(s).weight;
     sources_.push_back({ &layer.surface(s).rules->regular().table, weight, layer.first_vertex(s),
-      points_, layer.corrections(s), {} });
-    if (layer.surfaces() > 1)
-      sources_.back().near = layer.near_surface_corrections(s, PointKind::force);
+      points_, layer.corrections(s, PointKind::force) });
     points_ += static_cast<int>(weight.size());
   }
 }
@@ -36,8 +34,6 @@ Eigen::VectorXd LayerSum::apply(const std::vector<Eigen::VectorXd>& densities, d
   for (std::size_t s = 0; s < sources_.size(); ++s)
   {
     sources_[s].corrections.add(densities[s], sources_[s].first_vertex, velocity);
-    if (sources_[s].near)
-      sources_[s].near->add(densities[s], velocity);
   }
   return velocity.reshaped<Eigen::RowMajor>();
 }

@@ -31,9 +31,7 @@ private:
     const BasisTable* table;
     Eigen::VectorXd weight;        ///< of the table's rows; contains dS/8πμ
     int first_vertex, first_point; ///< among all
-    LayerCorrections corrections;
-    std::optional<NearSurfaceCorrections>
-      near; ///< at other surfaces' vertices, where there are any
+    SurfaceCorrections corrections;
   };
   std::vector<Source> sources_;
   std::unique_ptr<const PointSum> sum_;

@@ -117,21 +117,28 @@ StokesOperator::StokesOperator(std::vector<LayerSurface> surfaces)
   for (const LayerSurface& s : surfaces_)
   {
     first_.push_back(first_.back() + static_cast<int>(s.vertices.rows()));
-    points_.push_back({ LayerPoints(s.rules->regular().table, s.control),
-      LayerPoints(s.rules->near().table, s.control),
-      LayerPoints(s.rules->singular().table, s.control) });
+    regular_.emplace_back(s.rules->regular().table, s.control);
   }
+  targets_.resize(vertices(), 3);
+  for (std::size_t s = 0; s < surfaces_.size(); ++s)
+    targets_.middleRows(first_[s], surfaces_[s].vertices.rows()) = surfaces_[s].vertices;
   if (surfaces_.size() > 1)
     near_ = near_vertices(surfaces_);
 }
 
-RuleSources<StokesletSources> StokesOperator::node_sources(int source) const
+StokesOperator::FinePoints StokesOperator::fine_points(int source) const
+{
+  const auto& [rules, vertices, control] = surfaces_[source];
+  return { LayerPoints(rules->near().table, control),
+    LayerPoints(rules->singular().table, control) };
+}
+
+RuleSources<StokesletSources> StokesOperator::node_sources(int source, const FinePoints& fine) const
 {
   const LayerRules& rules = *surfaces_[source].rules;
-  const auto& [regular, near, singular] = points_[source];
-  return { vesicle::node_sources(rules.regular().table, regular),
-    vesicle::node_sources(rules.near().table, near),
-    vesicle::node_sources(rules.singular().table, singular) };
+  return { vesicle::node_sources(rules.regular().table, regular_[source]),
+    vesicle::node_sources(rules.near().table, fine.near),
+    vesicle::node_sources(rules.singular().table, fine.singular) };
 }
 
 // For every group of targets on any surface: sums over the source's rows, 6 numbers a node and lane,
@@ -140,12 +147,13 @@ template<class Write>
 void StokesOperator::for_each_group(int source, Write write) const
 {
   const LayerRules& rules = *surfaces_[source].rules;
-  const RuleSources<StokesletSources> sources = node_sources(source);
+  const FinePoints fine = fine_points(source);
+  const RuleSources<StokesletSources> sources = node_sources(source, fine);
   std::vector<int> place(rules.vertices()); // of each node, its own
   std::iota(place.begin(), place.end(), 0);
   std::optional<NearSurfaceCorrections> near;
   if (surfaces_.size() > 1)
-    near = near_surface_corrections(source, PointKind::force);
+    near.emplace(near_surface_corrections(source, PointKind::force, fine.near));
   for (int s = 0; s < static_cast<int>(surfaces_.size()); ++s)
     parallel_for(static_cast<int>(surfaces_[s].rules->groups().size()),
       [&](int number)
@@ -252,22 +260,14 @@ struct LoadedPoints
 PointPlaces StokesOperator::places() const
 {
   PointPlaces places{ {}, targets(), { 0 }, first_ };
-  for (const Rules& rules : points_)
+  for (const LayerPoints& regular : regular_)
     places.first_source.push_back(
-      places.first_source.back() + static_cast<int>(rules.regular.weight.size()));
+      places.first_source.back() + static_cast<int>(regular.weight.size()));
   places.sources.resize(places.first_source.back(), 3);
-  for (std::size_t s = 0; s < points_.size(); ++s)
-    places.sources.middleRows(places.first_source[s], points_[s].regular.weight.size()) =
-      points_[s].regular.surface.position;
+  for (std::size_t s = 0; s < regular_.size(); ++s)
+    places.sources.middleRows(places.first_source[s], regular_[s].weight.size()) =
+      regular_[s].surface.position;
   return places;
-}
-
-Points StokesOperator::targets() const
-{
-  Points targets(vertices(), 3);
-  for (std::size_t s = 0; s < surfaces_.size(); ++s)
-    targets.middleRows(first_[s], surfaces_[s].vertices.rows()) = surfaces_[s].vertices;
-  return targets;
 }
 
 Eigen::VectorXd StokesOperator::apply(std::span<const ForceDensity> densities) const
@@ -276,10 +276,11 @@ Eigen::VectorXd StokesOperator::apply(std::span<const ForceDensity> densities) c
   for (std::size_t s = 0; s < surfaces_.size(); ++s)
   {
     const LayerRules& rules = *surfaces_[s].rules;
-    const auto& [regular, near, singular] = points_[s];
+    const LayerPoints& regular = regular_[s];
+    const FinePoints fine = fine_points(static_cast<int>(s));
     const LoadedPoints far(rules.regular().table, regular, densities[s]),
-      close(rules.near().table, near, densities[s]),
-      own(rules.singular().table, singular, densities[s]);
+      close(rules.near().table, fine.near, densities[s]),
+      own(rules.singular().table, fine.singular, densities[s]);
     DirectSum(regular.surface.position, targets())
       .add((far.force.array().colwise() * regular.weight.array()).matrix(), 0, velocity);
     const RuleSources<ForceSources> sources{ far.sources, close.sources, own.sources };
@@ -324,27 +325,33 @@ LayerCorrections StokesOperator::corrections(
   return result;
 }
 
-LayerCorrections StokesOperator::corrections(int source) const
+SurfaceCorrections StokesOperator::corrections(int source, PointKind kind) const
 {
-  return corrections(source, node_sources(source), add_stokeslets);
+  const FinePoints fine = fine_points(source);
+  SurfaceCorrections result{ kind == PointKind::force
+      ? corrections(source, node_sources(source, fine), add_stokeslets)
+      : double_layer_corrections(source, fine),
+    {} };
+  if (surfaces_.size() > 1)
+    result.near.emplace(near_surface_corrections(source, kind, fine.near));
+  return result;
 }
 
-NearSurfaceCorrections StokesOperator::near_surface_corrections(int source, PointKind kind) const
+NearSurfaceCorrections StokesOperator::near_surface_corrections(
+  int source, PointKind kind, const LayerPoints& near) const
 {
-  const auto& [regular, near, singular] = points_[source];
-  return { { *surfaces_[source].rules, regular, near }, targets(), near_[source], kind };
+  return { { *surfaces_[source].rules, regular_[source], near }, targets(), near_[source], kind };
 }
 
-LayerCorrections StokesOperator::double_layer_corrections(int source) const
+LayerCorrections StokesOperator::double_layer_corrections(int source, const FinePoints& fine) const
 {
-  const auto& [regular, near, singular] = points_[source];
-  const RowVectors of_regular = regular.surface.cross.rowwise().normalized(),
-                   of_near = near.surface.cross.rowwise().normalized(),
-                   of_singular = singular.surface.cross.rowwise().normalized();
+  const RowVectors of_regular = regular_[source].surface.cross.rowwise().normalized(),
+                   of_near = fine.near.surface.cross.rowwise().normalized(),
+                   of_singular = fine.singular.surface.cross.rowwise().normalized();
   const auto with_normals = [](const StokesletSources& rows, const RowVectors& normals) {
     return StressletSources{ rows, normals.data(), static_cast<int>(normals.rows()) };
   };
-  const RuleSources<StokesletSources> rows = node_sources(source);
+  const RuleSources<StokesletSources> rows = node_sources(source, fine);
   return corrections(source,
     RuleSources<StressletSources>{ with_normals(rows.regular, of_regular),
       with_normals(rows.near, of_near), with_normals(rows.singular, of_singular) },

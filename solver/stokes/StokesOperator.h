@@ -41,6 +41,21 @@ struct LayerPoints
   LayerPoints(const BasisTable& table, const Points& control);
 };
 
+/// What finer rules add to a surface's regular one.
+struct SurfaceCorrections
+{
+  LayerCorrections own;                       ///< at its own vertices
+  std::optional<NearSurfaceCorrections> near; ///< at other surfaces' vertices, where there are any
+
+  /// To all velocities what the vectors at the nodes make; `first_vertex`: of the surface's own.
+  void add(const Eigen::VectorXd& nodal, int first_vertex, Points& velocities) const
+  {
+    own.add(nodal, first_vertex, velocities);
+    if (near)
+      near->add(nodal, velocities);
+  }
+};
+
 struct StokesletSources;
 template<class Sources>
 struct RuleSources;
@@ -67,37 +82,39 @@ public:
   /// Of all vectors at its nodes, f = Σ N_k f_k: 3N by 3N.
   DenseMatrix matrix(int source) const;
 
-  /// What a source's near and singular rules add to its regular one, at its own vertices.
-  LayerCorrections corrections(int source) const;
-  /// The same of the double layer, whose kernel is X X (X·n)/8π r⁵ here (DoubleLayer.h).
-  LayerCorrections double_layer_corrections(int source) const;
-  /// What finer rules add to a source's regular one at vertices of other surfaces near it. Only where
-  /// there are several surfaces.
-  NearSurfaceCorrections near_surface_corrections(int source, PointKind kind) const;
+  /// Of the single layer, or of the double layer, whose kernel is X X (X·n)/8π r⁵ here (DoubleLayer.h):
+  /// forces or stresslets.
+  SurfaceCorrections corrections(int source, PointKind kind) const;
   int surfaces() const { return static_cast<int>(surfaces_.size()); }
   const LayerSurface& surface(int source) const { return surfaces_[source]; }
   int first_vertex(int source) const { return first_[source]; }
-  const LayerPoints& regular_points(int source) const { return points_[source].regular; }
+  const LayerPoints& regular_points(int source) const { return regular_[source]; }
   /// The points of all surfaces' regular rules and the vertices of all.
   PointPlaces places() const;
   /// These alone, N by 3.
-  Points targets() const;
+  const Points& targets() const { return targets_; }
 
 private:
-  RuleSources<StokesletSources> node_sources(int source) const;
+  /// Made when they are needed: of many surfaces they would take more memory than all else.
+  struct FinePoints
+  {
+    LayerPoints near, singular;
+  };
+  FinePoints fine_points(int source) const;
+  RuleSources<StokesletSources> node_sources(int source, const FinePoints& fine) const;
+  NearSurfaceCorrections near_surface_corrections(
+    int source, PointKind kind, const LayerPoints& near) const;
+  LayerCorrections double_layer_corrections(int source, const FinePoints& fine) const;
   template<class Write>
   void for_each_group(int source, Write write) const;
   template<class Sources, class Add>
   LayerCorrections corrections(int source, const RuleSources<Sources>& sources, Add add) const;
 
-  struct Rules
-  {
-    LayerPoints regular, near, singular;
-  };
   std::vector<LayerSurface> surfaces_;
-  std::vector<Rules> points_;      ///< of each surface
-  std::vector<int> first_;         ///< first vertex of each surface, and the number of all
-  std::vector<NearVertices> near_; ///< of each surface where there are several
+  Points targets_;
+  std::vector<LayerPoints> regular_; ///< of each surface
+  std::vector<int> first_;           ///< first vertex of each surface, and the number of all
+  std::vector<NearVertices> near_;   ///< of each surface where there are several
 };
 
 /// y = A(:, first:) x over x.size() columns; rows in parallel, each summed in a fixed order.
