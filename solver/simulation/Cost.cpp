@@ -20,11 +20,11 @@ namespace
 {
 
 // Fitted to 320, 1,280 and 5,120 triangles on flat triangles and on Loop's surface, one vesicle and two, and
-// 64 of 320: the memory, with a dense matrix and without, and the time of a step on one core. What a mesh
+// 64 and 1,000 of 320: the memory, with a dense matrix and without, and the time of a step on one core. What a mesh
 // fixes is there once for all vesicles on it.
 constexpr double program_bytes = 7e7;
-constexpr double flat_bytes_a_triangle = 2.3e4, loop_bytes_a_triangle = 5e4,
-                 loop_bytes_a_shared_triangle = 8.5e4;
+constexpr double flat_bytes_a_triangle = 2.3e4, loop_bytes_a_triangle = 4.4e4,
+                 loop_bytes_a_shared_triangle = 9.1e4;
 constexpr double dense_bytes_a_pair = 27;
 constexpr double flat_seconds_a_pair = 1.7e-8, loop_seconds_a_pair = 2.5e-8;
 // From so many triangles on, clusters act on clusters: the time grows as their number.
