@@ -243,7 +243,7 @@ struct Simulation::Impl
   {
     std::vector<Points> points;
     for (const TriangleMesh& mesh : start_meshes)
-      points.push_back(mesh.points / scales.length);
+      points.emplace_back(mesh.points / scales.length);
     return points;
   }
 

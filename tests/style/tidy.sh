@@ -2,7 +2,7 @@
 # What clang-tidy says by .clang-tidy; nothing is as it should be:
 #   bash tests/style/tidy.sh           the solver's files that the working tree or the last commit changed
 #   bash tests/style/tidy.sh FILE…     these
-#   bash tests/style/tidy.sh --all     the whole solver: about ten minutes of one core
+#   bash tests/style/tidy.sh --all     the whole solver: 250 files of some 16 s, an hour and more of one core
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
