@@ -2,6 +2,7 @@
 
 #include "solver/Errors.h"
 #include "solver/Joined.h"
+#include "solver/mesh/io/TextScanner.h"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <charconv>
 #include <iterator>
-#include <optional>
 #include <sstream>
 #include <string_view>
 
@@ -226,17 +226,8 @@ Override split_override(const std::string& text)
   return { table, key, text.substr(equals + 1), where };
 }
 
-/// ".3" and "5.", which aren't TOML.
-std::optional<double> whole_number(const std::string& text)
-{
-  double number;
-  const char* end = text.data() + text.size();
-  const auto [read_to, error] = std::from_chars(text.data(), end, number);
-  return error == std::errc() && read_to == end ? std::optional(number) : std::nullopt;
-}
-
-/// Words that aren't TOML are taken as strings, so that nobody has to quote quotes in a shell;
-/// something that starts like a quoted string, array or table must be one.
+/// Words that aren't TOML are numbers (".3", "5.") or strings, so that nobody has to quote quotes in a
+/// shell; something that starts like a quoted string, array or table must be one.
 SceneValue override_value(const Override& change)
 {
   const auto place = [&](const toml::node&) { return change.where; };
@@ -260,7 +251,7 @@ SceneValue override_value(const Override& change)
   }
   value.where = change.where;
   value.text = change.value;
-  if (const auto number = whole_number(change.value))
+  if (const auto number = number_of<double>(change.value))
     value.data = *number;
   else
     value.data = change.value;

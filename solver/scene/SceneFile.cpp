@@ -3,6 +3,7 @@
 #include "solver/Errors.h"
 #include "solver/Joined.h"
 #include "solver/files/FileBytes.h"
+#include "solver/mesh/io/TextScanner.h"
 #include "solver/scene/NearestName.h"
 #include "solver/scene/SceneDocument.h"
 #include "solver/scene/Quantity.h"
@@ -14,7 +15,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 namespace vesicle
 {
@@ -143,11 +143,8 @@ std::string measured(const SceneKey& key, const Scene& scene)
   const Dimensions dimensions = dimensions_of(key.unit);
   if (scene.units != Units::si || dimensions.size() != 1)
     return {};
-  const std::string text = key.write(scene);
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool is_number = error == std::errc() && end == text.data() + text.size();
-  return is_number ? quantity_text(value, dimensions.front()) : "";
+  const auto value = number_of<double>(key.write(scene));
+  return value ? quantity_text(*value, dimensions.front()) : "";
 }
 
 /// A missing mesh is better said here, with the scene's line, than when it is read.

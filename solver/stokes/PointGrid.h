@@ -18,11 +18,11 @@ class PointGrid
 public:
   using Positions = Eigen::Array<Coordinate<Real>, Eigen::Dynamic, 3>;
 
-  /// Of coordinates up to `extent`.
+  /// Of coordinates up to `extent`, which isn't finite where one of them isn't.
   explicit PointGrid(double extent)
   {
     constexpr double most = (1 << 30) - 1; // of which differences fit into Coordinate
-    if (!std::is_same_v<Real, double> && extent > 0)
+    if (!std::is_same_v<Real, double> && extent != 0)
       spacing_ = extent / most;
   }
 
@@ -38,8 +38,8 @@ public:
   /// A field's unit in the grid's; not a number where a position isn't.
   double unit(PointKind kind) const
   {
-    const double inverse = spacing_ - spacing_ == 0 ? 1 / spacing_ : NAN;
-    return kind == PointKind::force || kind == PointKind::force_image ? inverse : inverse * inverse;
+    const double inverse = std::isfinite(spacing_) ? 1 / spacing_ : NAN;
+    return components_of(kind) == 3 ? inverse : inverse * inverse; // forces' go with 1/r
   }
 
 private:

@@ -10,8 +10,7 @@ namespace vesicle
 namespace
 {
 
-// What a solve allows grows from iteration to iteration: half the pairs at the second, a third at the
-// first again.
+// What a solve allows grows from iteration to iteration, and the more, the fewer pairs a tree has.
 constexpr double fine_error = single_precision_error, coarse_error = 1e-4;
 
 }

@@ -7,6 +7,7 @@
 #include "tests/support/TemporaryFolder.h"
 #include "vtkfilters/Filters/VelocityFieldFile.h"
 
+#include <cmath>
 #include <fstream>
 #include <iterator>
 

@@ -4,7 +4,6 @@
 #include "MeshConversion.h"
 
 #include "solver/Errors.h"
-#include "solver/mesh/PolygonMesh.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -21,8 +20,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <span>
+#include <array>
 
 namespace vesicle
 {
@@ -31,52 +29,20 @@ namespace
 
 using Kind = GridFile::Kind;
 
-[[noreturn]] void fail(const std::string& name, const std::string& problem)
+template<class Grid>
+vtkSmartPointer<Grid> of_extent(const std::array<int, 6>& e)
 {
-  throw InputError(fmt::format("{}: {}; write it anew", name, problem));
+  auto grid = vtkSmartPointer<Grid>::New();
+  grid->SetExtent(e[0], e[1], e[2], e[3], e[4], e[5]);
+  return grid;
 }
 
-void require_finite(std::span<const double> numbers, const char* what, const std::string& name)
+vtkSmartPointer<vtkDataSet> image_of(const GridFile& grid)
 {
-  for (const double number : numbers)
-    if (!(std::abs(number) <= greatest_coordinate))
-      fail(name, fmt::format("{} has {}", what, number));
-}
-
-std::int64_t points_along(const GridFile& grid, int axis)
-{
-  return static_cast<std::int64_t>(grid.extent[2 * axis + 1]) - grid.extent[2 * axis] + 1;
-}
-
-/// Points in a structured order are as many as the extent says.
-void require_points(const GridFile& grid, const std::string& name)
-{
-  const std::int64_t points = grid.points.rows();
-  std::int64_t left = points;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const std::int64_t along = points_along(grid, axis);
-    if (along < 1 || left % along != 0)
-      fail(name, fmt::format("{} points don't fill its extent", points));
-    left /= along;
-  }
-  if (left != 1)
-    fail(name, fmt::format("{} points don't fill its extent", points));
-}
-
-vtkSmartPointer<vtkDataSet> image_of(const GridFile& grid, const std::string& name)
-{
-  require_finite(grid.origin, "the origin", name);
-  require_finite(grid.spacing, "the spacing", name);
-  require_finite(grid.axes, "the direction", name);
-  if (std::ranges::any_of(grid.spacing, [](double step) { return step == 0; }))
-    fail(name, "a spacing is 0");
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetExtent(const_cast<int*>(grid.extent.data()));
+  auto image = of_extent<vtkImageData>(grid.extent);
   image->SetOrigin(grid.origin.data());
   image->SetSpacing(grid.spacing.data());
-  if (grid.axes != GridFile{}.axes)
-    image->SetDirectionMatrix(grid.axes.data());
+  image->SetDirectionMatrix(grid.axes.data());
   return image;
 }
 
@@ -88,33 +54,18 @@ vtkNew<vtkDoubleArray> array_of(const std::vector<double>& numbers)
   return array;
 }
 
-vtkSmartPointer<vtkDataSet> rectilinear_of(const GridFile& grid, const std::string& name)
+vtkSmartPointer<vtkDataSet> rectilinear_of(const GridFile& grid)
 {
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const std::vector<double>& along = grid.coordinates[axis];
-    require_finite(along, "a coordinate", name);
-    if (static_cast<std::int64_t>(along.size()) != points_along(grid, axis))
-      fail(name,
-        fmt::format("has {} coordinates for {} points along axis {}", along.size(),
-          points_along(grid, axis), axis));
-    if (!std::ranges::is_sorted(along))
-      fail(name, fmt::format("coordinates along axis {} don't ascend", axis));
-  }
-  auto result = vtkSmartPointer<vtkRectilinearGrid>::New();
-  result->SetExtent(const_cast<int*>(grid.extent.data()));
+  auto result = of_extent<vtkRectilinearGrid>(grid.extent);
   result->SetXCoordinates(array_of(grid.coordinates[0]));
   result->SetYCoordinates(array_of(grid.coordinates[1]));
   result->SetZCoordinates(array_of(grid.coordinates[2]));
   return result;
 }
 
-vtkSmartPointer<vtkDataSet> structured_of(const GridFile& grid, const std::string& name)
+vtkSmartPointer<vtkDataSet> structured_of(const GridFile& grid)
 {
-  require_points(grid, name);
-  check_points(grid.points, name);
-  auto result = vtkSmartPointer<vtkStructuredGrid>::New();
-  result->SetExtent(const_cast<int*>(grid.extent.data()));
+  auto result = of_extent<vtkStructuredGrid>(grid.extent);
   result->SetPoints(to_vtk_points(grid.points));
   return result;
 }
@@ -127,9 +78,8 @@ vtkNew<vtkIdTypeArray> ids_of(const std::vector<std::int64_t>& numbers)
   return array;
 }
 
-vtkSmartPointer<vtkDataSet> unstructured_of(const GridFile& grid, const std::string& name)
+vtkSmartPointer<vtkDataSet> unstructured_of(const GridFile& grid)
 {
-  check_points(grid.points, name);
   vtkNew<vtkUnsignedCharArray> types;
   for (const std::int64_t type : grid.types)
     types->InsertNextValue(static_cast<unsigned char>(std::clamp<std::int64_t>(type, 0, 255)));
@@ -149,23 +99,22 @@ void require_tuples(
 {
   for (const DataArray& array : arrays)
     if (array.tuples() != count)
-      fail(name,
-        fmt::format(
-          "the array '{}' has {} tuples for {} {}", array.name, array.tuples(), count, of));
+      throw InputError(fmt::format("{}: the array '{}' has {} tuples for {} {}; write it anew",
+        name, array.name, array.tuples(), count, of));
 }
 
-vtkSmartPointer<vtkDataSet> bare(const GridFile& grid, const std::string& name)
+vtkSmartPointer<vtkDataSet> bare(const GridFile& grid)
 {
   switch (grid.kind)
   {
     case Kind::image:
-      return image_of(grid, name);
+      return image_of(grid);
     case Kind::rectilinear:
-      return rectilinear_of(grid, name);
+      return rectilinear_of(grid);
     case Kind::structured:
-      return structured_of(grid, name);
+      return structured_of(grid);
     default:
-      return unstructured_of(grid, name);
+      return unstructured_of(grid);
   }
 }
 
@@ -173,11 +122,13 @@ vtkSmartPointer<vtkDataSet> bare(const GridFile& grid, const std::string& name)
 
 vtkSmartPointer<vtkDataSet> to_data_set(const GridFile& grid, const std::string& name)
 {
-  auto result = bare(grid, name);
-  const auto cells = grid.kind == Kind::unstructured ? static_cast<std::int64_t>(grid.types.size())
-                                                     : result->GetNumberOfCells();
-  require_tuples(grid.point_data, result->GetNumberOfPoints(), "points", name);
-  require_tuples(grid.cell_data, cells, "cells", name);
+  const bool unstructured = grid.kind == Kind::unstructured;
+  require_tuples(grid.point_data, unstructured ? grid.points.rows() : points_in(grid.extent, name),
+    "points", name);
+  require_tuples(grid.cell_data,
+    unstructured ? static_cast<std::int64_t>(grid.types.size()) : cells_in(grid.extent, name),
+    "cells", name);
+  auto result = bare(grid);
   add_arrays(grid.point_data, result->GetPointData());
   add_arrays(grid.cell_data, result->GetCellData());
   return result;

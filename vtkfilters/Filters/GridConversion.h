@@ -11,8 +11,8 @@
 namespace vesicle
 {
 
-/// Throws InputError "name: …" where points and extents don't fit together, an array has not a tuple for each
-/// point or cell, or a place isn't finite. What cells and faces say isn't followed: check_cells().
+/// Throws InputError "name: …" where an array has not a tuple for each point or cell. Nothing else is looked at:
+/// GridCheck.h.
 vtkSmartPointer<vtkDataSet> to_data_set(const GridFile& grid, const std::string& name);
 
 }

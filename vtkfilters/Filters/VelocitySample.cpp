@@ -1,6 +1,6 @@
 #include "VelocitySample.h"
 
-#include "CellList.h"
+#include "GridCheck.h"
 #include "VtkMessages.h"
 
 #include "solver/Errors.h"
@@ -8,27 +8,18 @@
 
 #include "vtkCellData.h"
 #include "vtkCellDataToPointData.h"
-#include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkGradientFilter.h"
-#include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
-#include "vtkRectilinearGrid.h"
 #include "vtkStaticCellLocator.h"
-#include "vtkStructuredGrid.h"
-#include "vtkUnsignedCharArray.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <Eigen/SVD>
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
-#include <optional>
-#include <span>
 
 namespace vesicle
 {
@@ -72,168 +63,6 @@ std::string names_of(vtkDataSetAttributes* arrays)
   return names.empty() ? "none" : joined(names, ", ");
 }
 
-/// Of forms with any number of points.
-std::size_t fewest_points(int type)
-{
-  switch (type)
-  {
-    case VTK_POLY_LINE:
-      return 2;
-    case VTK_POLYGON:
-    case VTK_TRIANGLE_STRIP:
-      return 3;
-    case VTK_POLYHEDRON:
-      return 4;
-    case VTK_QUADRATIC_POLYGON:
-      return 6;
-    default:
-      return 1;
-  }
-}
-
-/// VTK's forms by their numbers, which go up to 255. Not taken are those of any order, which have as many
-/// points as that takes, and only VTK's own cells know how many; and convex sets of points, whose
-/// derivatives VTK takes without a look at whether it could triangulate them.
-class Forms
-{
-public:
-  /// Points of each; 0: any.
-  std::optional<std::size_t> points(int type)
-  {
-    if (!asked_[type])
-    {
-      asked_[type] = true;
-      const auto form =
-        type == VTK_EMPTY_CELL || type == VTK_CONVEX_POINT_SET || type >= VTK_HIGHER_ORDER_EDGE
-        ? nullptr
-        : vtk::TakeSmartPointer(vtkGenericCell::InstantiateCell(type));
-      if (form)
-        points_[type] = static_cast<std::size_t>(form->GetNumberOfPoints());
-    }
-    return points_[type];
-  }
-
-private:
-  std::array<bool, 256> asked_{};
-  std::array<std::optional<std::size_t>, 256> points_;
-};
-
-/// Numbers of a polyhedron's faces, from `first` on.
-void check_faces(std::span<const std::int64_t> faces, std::int64_t first, std::int64_t points,
-  std::int64_t cell, const std::string& name)
-{
-  const auto wrong = [&]
-  { fail(name, fmt::format("the faces of cell {} are damaged", cell), "write it anew"); };
-  const auto size = static_cast<std::int64_t>(faces.size());
-  std::int64_t at = first;
-  const auto next = [&]
-  {
-    if (at < 0 || at >= size)
-      wrong();
-    return faces[at++];
-  };
-  const std::int64_t count = next();
-  if (count < 4 || count > size)
-    wrong();
-  for (std::int64_t face = 0; face < count; ++face)
-  {
-    const std::int64_t corners = next();
-    if (corners < 3 || corners > size - at)
-      wrong();
-    for (std::int64_t k = 0; k < corners; ++k)
-      if (const std::int64_t point = next(); point < 0 || point >= points)
-        fail(name, fmt::format("a face of cell {} has a point {} that there isn't", cell, point),
-          "mend it");
-  }
-}
-
-/// Nothing follows a cell's number before it is known to be one of a point.
-void check_cells(vtkUnstructuredGrid* grid, const std::string& name)
-{
-  if (!grid->GetCells())
-    return;
-  const CellList cells(grid->GetCells(), "cells", name);
-  vtkUnsignedCharArray* types = grid->GetCellTypesArray();
-  if (!types || types->GetNumberOfValues() != cells.size())
-    fail(name, "hasn't a type for each of its cells", "write it anew");
-  const auto numbers = [](vtkDataArray* array)
-  { return array ? CellList::numbers(array) : std::vector<std::int64_t>(); };
-  const std::vector<std::int64_t> faces = numbers(grid->GetFaces()),
-                                  first_face = numbers(grid->GetFaceLocations());
-  Forms forms;
-  for (std::int64_t i = 0; i < cells.size(); ++i)
-  {
-    const int type = types->GetValue(i);
-    const std::size_t corners = cells[i].size();
-    const auto points = forms.points(type);
-    if (!points)
-      fail(name, fmt::format("cell {} is of type {}, which isn't taken", i, type),
-        "cut it into tetrahedra (vtkDataSetTriangleFilter, ParaView's Tetrahedralize)");
-    if (*points > 0 ? *points != corners : corners < fewest_points(type))
-      fail(name, fmt::format("cell {} of type {} has {} points", i, type, corners), "mend it");
-    for (const std::int64_t point : cells[i])
-      if (point < 0 || point >= grid->GetNumberOfPoints())
-        fail(name, fmt::format("cell {} has a point {} that there isn't", i, point), "mend it");
-    if (type == VTK_POLYHEDRON)
-      check_faces(faces, i < static_cast<std::int64_t>(first_face.size()) ? first_face[i] : -1,
-        grid->GetNumberOfPoints(), i, name);
-  }
-}
-
-/// Of grids whose points are numbered by their places along three axes: as many numbers as that takes.
-void check_places(vtkDataSet* data, const std::string& name)
-{
-  const auto wrong = [&](vtkIdType there, vtkIdType needed)
-  {
-    fail(name, fmt::format("has {} places for the {} points of its dimensions", there, needed),
-      "write it anew");
-  };
-  if (auto* grid = vtkRectilinearGrid::SafeDownCast(data))
-  {
-    vtkDataArray* along[] = { grid->GetXCoordinates(), grid->GetYCoordinates(),
-      grid->GetZCoordinates() };
-    for (int axis = 0; axis < 3; ++axis)
-      if (const vtkIdType there = along[axis] ? along[axis]->GetNumberOfTuples() : 0;
-          there < grid->GetDimensions()[axis])
-        wrong(there, grid->GetDimensions()[axis]);
-  }
-  else if (auto* structured = vtkStructuredGrid::SafeDownCast(data))
-  {
-    const int* n = structured->GetDimensions();
-    const auto needed = static_cast<vtkIdType>(n[0]) * n[1] * n[2];
-    if (structured->GetNumberOfPoints() != needed)
-      wrong(structured->GetNumberOfPoints(), needed);
-  }
-  else if (auto* cells = vtkUnstructuredGrid::SafeDownCast(data))
-    check_cells(cells, name);
-  else if (!vtkImageData::SafeDownCast(data))
-    fail(name, fmt::format("is a {}", data->GetClassName()),
-      "give an image or a grid that fills a volume");
-}
-
-void check_finite(vtkDataArray* numbers, const std::string& name)
-{
-  for (vtkIdType i = 0; numbers && i < numbers->GetNumberOfTuples(); ++i)
-    for (int c = 0; c < numbers->GetNumberOfComponents(); ++c)
-      if (!(std::abs(numbers->GetComponent(i, c)) <= greatest_coordinate))
-        fail(name, fmt::format("place {} isn't finite", i), "write it anew");
-}
-
-/// An image has no more numbers than its bounds show.
-void check_finite(vtkDataSet* data, const std::string& name)
-{
-  if (auto* points = vtkPointSet::SafeDownCast(data))
-    check_finite(points->GetPoints()->GetData(), name);
-  else if (auto* grid = vtkRectilinearGrid::SafeDownCast(data))
-    for (vtkDataArray* along :
-      { grid->GetXCoordinates(), grid->GetYCoordinates(), grid->GetZCoordinates() })
-      check_finite(along, name);
-  else
-    for (int i = 0; i < 6; ++i)
-      if (!(std::abs(data->GetBounds()[i]) <= greatest_coordinate))
-        fail(name, "its places aren't finite", "write it anew");
-}
-
 /// A field of cells brought to the points, alone: other arrays may be damaged.
 vtkSmartPointer<vtkDataSet> at_points(
   vtkDataSet* data, vtkDataArray* of_cells, const std::string& name)
@@ -268,10 +97,9 @@ std::string divergence_note(const std::string& name, double divergence)
 VelocitySample::VelocitySample(vtkSmartPointer<vtkDataSet> data, std::string name)
   : name_(std::move(name)), data_(std::move(data))
 {
-  check_places(data_, name_);
+  check_grid(data_, name_);
   if (data_->GetNumberOfPoints() == 0 || data_->GetNumberOfCells() == 0)
     fail(name_, "has no cells", "give an image or a grid with velocities");
-  check_finite(data_, name_);
   vtkDataArray* of_cells = velocity_in(data_->GetCellData());
   if (of_cells && !velocity_in(data_->GetPointData()))
     data_ = at_points(data_, of_cells, name_);

@@ -42,8 +42,8 @@ public:
     else
     {
       grid.extent = numbers<int, 6>(*piece, "Extent").value_or(grid.extent);
-      points = along(grid.extent, 1);
-      cells = along(grid.extent, 0);
+      points = points_in(grid.extent, name());
+      cells = cells_in(grid.extent, name());
       read_places(data_set, *piece, points, grid);
     }
     grid.point_data = read_data(*piece, "PointData", points);
@@ -85,21 +85,6 @@ private:
     return result;
   }
 
-  /// Points (`ends` = 1) or cells (0) of an extent; of one point along an axis cells have one, too.
-  std::int64_t along(const std::array<int, 6>& extent, int ends) const
-  {
-    std::int64_t product = 1;
-    for (int c = 0; c < 3; ++c)
-    {
-      const std::int64_t steps = static_cast<std::int64_t>(extent[2 * c + 1]) - extent[2 * c];
-      if (steps < 0)
-        return 0;
-      if (__builtin_mul_overflow(product, std::max(steps + ends, std::int64_t(1)), &product))
-        throw InputError(name() + ": Extent is of more points than there can be");
-    }
-    return product;
-  }
-
   void read_places(
     const XmlElement& data_set, const XmlElement& piece, std::int64_t points, GridFile& grid) const
   {
@@ -122,16 +107,13 @@ private:
     if (coordinates)
       for (const XmlElement& element : coordinates->children)
         if (element.name == "DataArray" && axis < 3)
-          std::visit(
-            [&](const auto& v)
-            {
-              using Value = typename std::decay_t<decltype(v)>::value_type;
-              if constexpr (std::is_arithmetic_v<Value>)
-                grid.coordinates[axis++].assign(v.begin(), v.end());
-              else
-                arrays().fail(element, "of coordinates should have numbers");
-            },
-            arrays().read(element).values);
+        {
+          const DataArray read = arrays().read(element);
+          std::vector<double>& along = grid.coordinates[axis++];
+          along.resize(read.tuples());
+          if (read.components != 1 || !copy_numbers(read.values, along.data()))
+            arrays().fail(element, "of coordinates should have numbers");
+        }
     if (axis < 3)
       throw InputError(name() + ": a rectilinear grid has coordinates along three axes");
   }

@@ -41,16 +41,8 @@ bool XmlPieces::read_points(const XmlElement& piece, std::int64_t count, Points&
     arrays_.fail(*array, fmt::format("of points has {} components, not 3", read.components));
   require_tuples(*array, read, count, "points");
   points.resize(count, 3);
-  std::visit(
-    [&](const auto& v)
-    {
-      using Value = typename std::decay_t<decltype(v)>::value_type;
-      if constexpr (std::is_arithmetic_v<Value>)
-        std::copy(v.begin(), v.end(), points.data());
-      else
-        arrays_.fail(*array, "of points should have numbers");
-    },
-    read.values);
+  if (!copy_numbers(read.values, points.data()))
+    arrays_.fail(*array, "of points should have numbers");
   return std::holds_alternative<std::vector<float>>(read.values);
 }
 

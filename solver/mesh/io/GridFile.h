@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace vesicle
@@ -36,5 +37,10 @@ struct GridFile
   std::vector<std::int64_t> faces, first_face;
   std::vector<DataArray> point_data, cell_data;
 };
+
+/// Points of an extent, and cells, of which an axis with one point has one, too. Throw InputError "name: …"
+/// where there can't be so many.
+std::int64_t points_in(const std::array<int, 6>& extent, const std::string& name);
+std::int64_t cells_in(const std::array<int, 6>& extent, const std::string& name);
 
 }

@@ -313,19 +313,17 @@ private:
     const std::string type(scanner_.word_on_line());
     if (file_.points.rows() > 0)
       scanner_.fail("the points are there twice");
-    auto all = values(type, product(points, 3), "the coordinates");
-    file_.points.resize(points, 3);
-    std::visit(
-      [&](const auto& v)
+    const auto all = values(type, product(points, 3), "the coordinates");
+    file_.single_precision = std::visit(
+      [](const auto& v)
       {
         using Value = typename std::decay_t<decltype(v)>::value_type;
-        file_.single_precision = std::is_same_v<Value, float> || sizeof(Value) <= 2;
-        if constexpr (std::is_arithmetic_v<Value>)
-          std::copy(v.begin(), v.end(), file_.points.data());
-        else
-          scanner_.fail("coordinates should be numbers");
+        return std::is_same_v<Value, float> || sizeof(Value) <= 2;
       },
       all);
+    file_.points.resize(points, 3);
+    if (!copy_numbers(all, file_.points.data()))
+      scanner_.fail("coordinates should be numbers");
   }
 
   // Of data sets that aren't surfaces.
@@ -364,17 +362,10 @@ private:
   {
     const auto points = count("the number of coordinates");
     const std::string type(scanner_.word_on_line());
-    auto all = values(type, product(points, 1), "the coordinates");
-    std::visit(
-      [&](const auto& v)
-      {
-        using Value = typename std::decay_t<decltype(v)>::value_type;
-        if constexpr (std::is_arithmetic_v<Value>)
-          along.assign(v.begin(), v.end());
-        else
-          scanner_.fail("coordinates should be numbers");
-      },
-      all);
+    const auto all = values(type, product(points, 1), "the coordinates");
+    along.resize(points);
+    if (!copy_numbers(all, along.data()))
+      scanner_.fail("coordinates should be numbers");
   }
 
   CellList read_cells()

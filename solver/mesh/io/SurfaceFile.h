@@ -3,8 +3,10 @@
 
 #include "solver/mesh/PolygonMesh.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -45,6 +47,21 @@ struct DataArray
       components;
   }
 };
+
+/// False where they are text.
+template<class To>
+bool copy_numbers(const DataArray::Values& values, To* to)
+{
+  return std::visit(
+    [to](const auto& v)
+    {
+      using Value = typename std::decay_t<decltype(v)>::value_type;
+      if constexpr (std::is_arithmetic_v<Value>)
+        std::copy(v.begin(), v.end(), to);
+      return std::is_arithmetic_v<Value>;
+    },
+    values);
+}
 
 struct SurfaceFile
 {

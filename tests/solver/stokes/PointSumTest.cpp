@@ -71,7 +71,8 @@ Points stresslet_formula(
   return velocity;
 }
 
-// Powers of distances between 1e-6 and 1e6 are outside of single precision's range, and so are strengths.
+// Powers of distances between 1e-6 and 1e6 are outside of single precision's range, and so are strengths. (With
+// the groups 300 sizes apart, not 30, the grid's spacing begins to show between neighbours: 2.1e-6.)
 TEST(DirectPointSum, SinglePrecisionTakesAnySizes)
 {
   const Eigen::MatrixXd strengths = symmetric_products(random_rows(200, 1), random_rows(200, 2));
@@ -91,12 +92,12 @@ TEST(DirectPointSum, SinglePrecisionTakesAnySizes)
 
 TEST(DirectPointSum, ANumberThatIsNoneIsSeenInBothPrecisions)
 {
-  RowVectors sources = random_rows(20, 1);
+  RowVectors sources = 1e4 * random_rows(20, 1); // far apart, also in whole numbers
   sources(7, 1) = std::numeric_limits<double>::quiet_NaN();
   for (const double allowed : { 0., 1e-3 })
   {
     Points velocity = Points::Zero(20, 3);
-    DirectSum(sources, random_rows(20, 3)).add(random_rows(20, 2), allowed, velocity);
+    DirectSum(sources, 1e4 * random_rows(20, 3)).add(random_rows(20, 2), allowed, velocity);
     EXPECT_FALSE(velocity.allFinite()) << allowed;
   }
 }
