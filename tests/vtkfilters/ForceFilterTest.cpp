@@ -1,7 +1,9 @@
 #include "vtkVesicleForceFilter.h"
 
 #include "tests/solver/support/TestMeshes.h"
+#include "tests/support/TemporaryFolder.h"
 #include "vtkfilters/Filters/MeshConversion.h"
+#include "vtkfilters/Filters/MeshFiles.h"
 #include "vtkfilters/Filters/VtkMessages.h"
 #include "solver/mesh/MeshIntegrals.h"
 
@@ -388,6 +390,40 @@ TEST(ForceFilter, AnElasticSheetTakesLoopsSurfaceAndALength)
     filter->Update();
     EXPECT_NE(messages.first_error().find(flat ? "ShearModulus" : "Prestretch"), std::string::npos)
       << messages.first_error();
+  }
+}
+
+// A sphere λ times as large as that of the file has what a prestretch of λ makes.
+TEST(ForceFilter, ASheetWithoutStressIsThatOfAFile)
+{
+  const double stretch = 1.1;
+  const TemporaryFolder folder;
+  const std::string file = folder / "relaxed.vtu";
+  write_mesh(sphere(2), file);
+  vtkNew<vtkVesicleForceFilter> of_file, prestretched;
+  for (vtkVesicleForceFilter* filter : { of_file.Get(), prestretched.Get() })
+  {
+    filter->SetInputData(sphere(2 * stretch));
+    filter->SetBendingRigidity(0);
+    filter->SetShearModulus(3);
+  }
+  of_file->SetReference(vtkVesicleForceFilter::FileReference);
+  of_file->SetReferenceFile(file.c_str());
+  of_file->Update();
+  prestretched->SetPrestretch(stretch);
+  prestretched->Update();
+  const Points found = array(of_file->GetOutput(), "Elastic_Force"),
+               expected = array(prestretched->GetOutput(), "Elastic_Force");
+  EXPECT_LT((found - expected).norm(), 1e-10 * expected.norm());
+
+  for (const auto& [given, words] :
+    { std::pair("", "ReferenceFile"), std::pair(file.c_str(), "with the start's points") })
+  {
+    const VtkMessages messages;
+    of_file->SetInputData(sphere(2, 80));
+    of_file->SetReferenceFile(given);
+    of_file->Update();
+    EXPECT_NE(messages.first_error().find(words), std::string::npos) << messages.first_error();
   }
 }
 

@@ -119,10 +119,10 @@ void expect_printed(vtkObject* object, std::initializer_list<const char*> names)
 }
 
 const auto scene_properties = { "BendingRigidity", "Incompressible", "ShearModulus", "Elasticity",
-  "DilationModulus", "Reference", "Prestretch", "SurfaceViscosity", "Viscosity", "ViscosityRatio",
-  "FlowKind", "FlowRate", "FlowVelocity", "FlowRadius", "FlowCenter", "FlowAxis", "FlowType",
-  "FlowFile", "VelocityField", "Wall", "WallPoint", "WallNormal", "BondNumber", "DensityDifference",
-  "Acceleration", "Preset" };
+  "DilationModulus", "Reference", "ReferenceFile", "Prestretch", "SurfaceViscosity", "Viscosity",
+  "ViscosityRatio", "FlowKind", "FlowRate", "FlowVelocity", "FlowRadius", "FlowCenter", "FlowAxis",
+  "FlowType", "FlowFile", "VelocityField", "Wall", "WallPoint", "WallNormal", "BondNumber",
+  "DensityDifference", "Acceleration", "Preset" };
 
 }
 

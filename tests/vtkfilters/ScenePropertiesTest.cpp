@@ -132,6 +132,7 @@ TEST_F(ParaViewProperties, OfferEveryChoice)
   EXPECT_EQ(entries("Preset"), presets);
   EXPECT_EQ(entries("Shape"), shapes);
   EXPECT_EQ(entries("Elasticity"), laws);
+  EXPECT_EQ(entries("Reference"), (std::vector<std::string>{ "Start", "Sphere", "File" }));
 }
 
 // A range ends where the key's does: what is below or above it no scene may have.

@@ -1,6 +1,7 @@
 #include "vtkVesicleForceFilter.h"
 
 #include "MeshConversion.h"
+#include "SceneMesh.h"
 #include "SceneNumbers.h"
 #include "SurfacePorts.h"
 #include "VelocityFieldData.h"
@@ -163,11 +164,13 @@ int vtkVesicleForceFilter::RequestData(
     }
     const Vesicles vesicles = vesicle::vesicle_points(output);
     const vesicle::TriangleMesh mesh = vesicle::to_mesh(output);
+    const auto reference = vesicle::reference_mesh_of(scene);
     std::vector<vesicle::StartMesh> start;
     for (const auto& points : vesicles)
     {
-      vesicle::StartMesh& own = start.emplace_back(vesicle::part_with(mesh, points));
-      own.notes = vesicle::prepare_for_dynamics(own.mesh, "input");
+      vesicle::TriangleMesh own = vesicle::part_with(mesh, points);
+      std::string notes = vesicle::prepare_for_dynamics(own, "input");
+      start.push_back({ std::move(own), std::move(notes), reference });
     }
     start.front().notes = vesicle::lines({ start.front().notes, field_notes });
     scene.companions.assign(vesicles.size() - 1, scene.companion());

@@ -11,6 +11,7 @@
 #include "solver/scene/SceneSchema.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -33,11 +34,23 @@ void require(bool condition, const char* what)
   }
 }
 
+std::filesystem::path absolute_path(const char* file, const char* otherwise)
+{
+  require(file && *file, otherwise);
+  return std::filesystem::absolute(file).lexically_normal();
+}
+
 }
 
 vtkVesicleSceneAlgorithm::vtkVesicleSceneAlgorithm()
 {
   this->SetNumberOfInputPorts(2);
+}
+
+vtkVesicleSceneAlgorithm::~vtkVesicleSceneAlgorithm()
+{
+  this->SetReferenceFile(nullptr);
+  this->SetFlowFile(nullptr);
 }
 
 void vtkVesicleSceneAlgorithm::SetVelocityFieldData(vtkDataObject* field)
@@ -141,8 +154,14 @@ void vtkVesicleSceneAlgorithm::MakeElastic(vesicle::Scene& scene) const
   membrane.shear_modulus = this->ShearModulus;
   membrane.elasticity = vesicle::elasticity_names[this->Elasticity].choice; // in the same order
   membrane.dilation_modulus = this->DilationModulus;
-  membrane.reference = this->Reference == SphereReference ? Scene::Membrane::Reference::sphere
-                                                          : Scene::Membrane::Reference::start;
+  using Of = Scene::Membrane::Reference;
+  membrane.reference =
+    std::array{ Of::start, Of::sphere, Of::file }[this->Reference]; // in References' order
+  if (this->Reference == FileReference)
+  {
+    membrane.reference_file =
+      absolute_path(this->ReferenceFile, "Reference FileReference takes a ReferenceFile");
+  }
   membrane.prestretch = this->Prestretch;
   scene.accuracy.mesh_motion = Scene::MeshMotion::material;
 }
@@ -154,9 +173,8 @@ std::shared_ptr<const vesicle::ImposedFlow> vtkVesicleSceneAlgorithm::MakeFlow()
     { "center", this->FlowCenter }, { "axis", this->FlowAxis }, { "type", &this->FlowType } };
   if (this->FlowKind == VelocityField)
   {
-    require(this->FlowFile && *this->FlowFile, "FlowKind VelocityField takes a FlowFile");
     const auto field = std::make_shared<vesicle::FieldFlow>();
-    field->file = std::filesystem::absolute(this->FlowFile).lexically_normal().string();
+    field->file = absolute_path(this->FlowFile, "FlowKind VelocityField takes a FlowFile").string();
     return field;
   }
   return vesicle::flow_of(this->FlowKind,
@@ -177,7 +195,8 @@ void vtkVesicleSceneAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ShearModulus: " << this->ShearModulus << '\n';
   os << indent << "Elasticity: " << vesicle::elasticity_names[this->Elasticity].name << '\n';
   os << indent << "DilationModulus: " << this->DilationModulus << '\n';
-  os << indent << "Reference: " << (this->Reference == SphereReference ? "sphere" : "start")
+  os << indent << "Reference: " << std::array{ "start", "sphere", "file" }[this->Reference] << '\n';
+  os << indent << "ReferenceFile: " << (this->ReferenceFile ? this->ReferenceFile : "(none)")
      << '\n';
   os << indent << "Prestretch: " << this->Prestretch << '\n';
   os << indent << "SurfaceViscosity: " << this->SurfaceViscosity << '\n';

@@ -55,7 +55,8 @@ public:
   enum References
   {
     StartReference = 0,
-    SphereReference
+    SphereReference,
+    FileReference
   };
 
   enum Presets
@@ -135,11 +136,21 @@ public:
 
   ///@{
   /**
-   * The sheet's shape without stress, one of References: the input's own (StartReference), or a sphere
-   * on which each of its patches has its area (SphereReference). Default: StartReference.
+   * The sheet's shape without stress, one of References: the input's own (StartReference), a sphere
+   * on which each of its patches has its area (SphereReference), or that of ReferenceFile. Default:
+   * StartReference.
    */
-  vtkSetClampMacro(Reference, int, StartReference, SphereReference);
+  vtkSetClampMacro(Reference, int, StartReference, FileReference);
   vtkGetMacro(Reference, int);
+  ///@}
+
+  ///@{
+  /**
+   * The mesh of FileReference, with the points and triangles of the input, or of each of its vesicles, in
+   * their order. Default: none.
+   */
+  vtkSetFilePathMacro(ReferenceFile);
+  vtkGetFilePathMacro(ReferenceFile);
   ///@}
 
   ///@{
@@ -320,7 +331,7 @@ public:
 
 protected:
   vtkVesicleSceneAlgorithm();
-  ~vtkVesicleSceneAlgorithm() override { this->SetFlowFile(nullptr); }
+  ~vtkVesicleSceneAlgorithm() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
 
@@ -338,6 +349,7 @@ protected:
   int Elasticity = NeoHookean;
   double DilationModulus = 1;
   int Reference = StartReference;
+  char* ReferenceFile = nullptr;
   double Prestretch = 1;
   double SurfaceViscosity = 0;
   double Viscosity = 1;
