@@ -36,6 +36,7 @@ struct FillOptions
   std::array<double, 3> box{};
   std::array<double, 2> tube{};
   double ball = 0;
+  std::array<double, 3> center{};
   double gap = 0.1;
   bool aligned = false;
   FillSettings settings;
@@ -52,6 +53,7 @@ FillRegion region_of(const FillOptions& o)
     region.sides = Vector3(o.box[0], o.box[1], o.box[2]);
   else
     throw InputError("there is no region to fill: give --box, --tube or --ball");
+  region.center = Vector3(o.center.data());
   return region;
 }
 
@@ -111,6 +113,7 @@ int fill_region(FillOptions options)
   options.settings.region = region_of(options);
   options.settings.gap = options.gap * r0;
   options.settings.turned = !options.aligned;
+  options.settings.wall = scene.wall;
   const std::vector<Placement> placements = fill(shape, options.settings);
   std::vector<TriangleMesh> meshes;
   for (const Placement& p : placements)
@@ -146,7 +149,7 @@ void add_fill_command(CLI::App& app, Action& action)
   command->add_option("--count", settings.count, "How many")
     ->required()
     ->check(CLI::Range(1, 100'000));
-  const std::string about = " about the origin, in the scene's length";
+  const std::string about = " around --center, in the scene's length";
   auto* box = command->add_option("--box", options->box, "Sides x y z of a box" + about)
                 ->check(CLI::PositiveNumber);
   auto* tube =
@@ -157,8 +160,11 @@ void add_fill_command(CLI::App& app, Action& action)
     ->check(CLI::PositiveNumber)
     ->excludes(box)
     ->excludes(tube);
+  command->add_option("--center", options->center, "Of box, tube or ball; the origin if left out")
+    ->check(CLI::Number);
   command
-    ->add_option("--gap", options->gap, "Between two vesicles at the least, in r0 of the vesicle")
+    ->add_option("--gap", options->gap,
+      "Between two vesicles, and above the scene's wall, at the least; in r0 of the vesicle")
     ->check(CLI::NonNegativeNumber)
     ->capture_default_str();
   command->add_option("--seed", settings.seed, "Of the random numbers")->capture_default_str();

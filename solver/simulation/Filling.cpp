@@ -63,10 +63,10 @@ private:
         placed_.push_back(candidate);
         return;
       }
-    throw InputError(
-      fmt::format("{} of {} vesicles fitted into the region: the next found no place in {} tries; "
-                  "take fewer, a larger region or a smaller gap, or another seed",
-        placed_.size(), settings_.count, most_tries));
+    throw InputError(fmt::format(
+      "{} of {} vesicles fitted into the region{}: the next found no place in {} tries; "
+      "take fewer, a larger region or a smaller gap, or another seed",
+      placed_.size(), settings_.count, settings_.wall ? " above the wall" : "", most_tries));
   }
 
   Placement somewhere()
@@ -74,7 +74,7 @@ private:
     const Vector3 half = settings_.region.half_sides();
     Placement placement;
     for (int k = 0; k < 3; ++k)
-      placement.center[k] = random_.between(-half[k], half[k]);
+      placement.center[k] = settings_.region.center[k] + random_.between(-half[k], half[k]);
     if (settings_.turned)
       placement.turn = random_.rotation();
     return placement;
@@ -89,8 +89,17 @@ private:
   bool is_inside(const Placement& placement) const
   {
     const Points points = points_of(placement);
-    return std::all_of(points.rowwise().begin(), points.rowwise().end(),
-      [&](const auto& point) { return settings_.region.contains(point.transpose()); });
+    return is_above_wall(points) &&
+      std::all_of(points.rowwise().begin(), points.rowwise().end(),
+        [&](const auto& point) { return settings_.region.contains(point.transpose()); });
+  }
+
+  bool is_above_wall(const Points& points) const
+  {
+    if (!settings_.wall)
+      return true;
+    const double height = settings_.wall->heights(points).minCoeff();
+    return height > 0 && height >= settings_.gap;
   }
 
   bool is_apart(const Placement& candidate) const
@@ -132,8 +141,9 @@ private:
 
 }
 
-bool FillRegion::contains(const Vector3& x) const
+bool FillRegion::contains(const Vector3& point) const
 {
+  const Vector3 x = point - center;
   switch (kind)
   {
     case Kind::box:

@@ -3,16 +3,17 @@
 // from.
 
 #include "solver/mesh/TriangleMesh.h"
+#include "solver/stokes/Wall.h"
 
 #include <Eigen/Geometry>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace vesicle
 {
 
-/// About the origin.
 struct FillRegion
 {
   enum class Kind
@@ -24,10 +25,11 @@ struct FillRegion
   Kind kind = Kind::box;
   Vector3 sides = Vector3::Ones(); ///< of the box; of the tube its length is the first
   double radius = 1;               ///< of tube and ball
+  Vector3 center = Vector3::Zero();
 
   bool contains(const Vector3& point) const;
   double volume() const;
-  /// Half the sides of the box about it.
+  /// Half the sides of the box around it.
   Vector3 half_sides() const;
 };
 
@@ -35,9 +37,10 @@ struct FillSettings
 {
   int count = 1;
   FillRegion region;
-  double gap = 0;         ///< that vesicles have between each other at the least
-  std::uint64_t seed = 0; ///< equal settings fill equally
-  bool turned = true;     ///< each at random; otherwise all as the shape is
+  double gap = 0;                ///< that vesicles have between each other at the least
+  std::uint64_t seed = 0;        ///< equal settings fill equally
+  bool turned = true;            ///< each at random; otherwise all as the shape is
+  std::optional<Wall> wall = {}; ///< that vesicles stay the gap above
 };
 
 /// Of a copy: its points are turn · x + center of the shape's x.

@@ -212,6 +212,17 @@ TEST_F(SeveralVesiclesRun, FillWritesAScene)
   EXPECT_EQ(mesh->GetNumberOfPolys(), 5 * 80);
   EXPECT_EQ(mesh->GetPointData()->GetArray("Vesicle_Id")->GetRange()[1], 4);
 
+  arguments = fill;
+  for (const char* more :
+    { "wall.toml", "--center", "0", "0", "5", "--set", "wall.normal=[0,0,1]" })
+    arguments.emplace_back(more);
+  ASSERT_EQ(vesicle_command(folder.path(), arguments).code, 0);
+  const Scene above = read_scene(folder / "wall.toml");
+  ASSERT_TRUE(above.wall);
+  for (std::size_t v = 0; v < 5; ++v)
+    EXPECT_GT(above.alone(v).vesicle.center.z(), 1.5);
+  EXPECT_EQ(vesicle_command(folder.path(), { "check", "wall.toml" }).code, 0);
+
   const auto crowded = vesicle_command(
     folder.path(), { "fill", "two.toml", "--count", "500", "--ball", "3", "-o", "none.toml" });
   EXPECT_EQ(crowded.code, 2);

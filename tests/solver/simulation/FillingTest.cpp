@@ -77,6 +77,31 @@ TEST(Filling, KeepsVesiclesInsideAndApart)
   }
 }
 
+TEST(Filling, TakesARegionAnywhere)
+{
+  const TriangleMesh shape = prolate();
+  for (FillRegion region : regions())
+  {
+    const auto about_origin = fill(shape, { 3, region, 0.1, 7, true });
+    region.center = { 100, -20, 3 };
+    const auto there = fill(shape, { 3, region, 0.1, 7, true });
+    for (std::size_t i = 0; i < there.size(); ++i)
+      EXPECT_LT((there[i].center - about_origin[i].center - region.center).norm(), 1e-12);
+  }
+}
+
+TEST(Filling, KeepsVesiclesAboveAWall)
+{
+  const TriangleMesh shape = prolate();
+  const Wall wall{ { 0, 0, -1 }, Vector3(1, 0, 3).normalized() };
+  FillSettings settings{ 12, { FillRegion::Kind::box, { 8, 8, 8 }, 1 }, 0.1, 7, true, wall };
+  for (const TriangleMesh& copy : copies(shape, fill(shape, settings)))
+    EXPECT_GE(wall.heights(copy.points).minCoeff(), 0.1);
+
+  settings.wall->point = { 0, 0, 9 }; // all of the box is behind it
+  EXPECT_THROW(fill(shape, settings), InputError);
+}
+
 TEST(Filling, FollowsTheSeed)
 {
   const TriangleMesh shape = prolate();
