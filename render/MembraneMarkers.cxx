@@ -6,6 +6,7 @@
 #include "vtkfilters/Filters/SceneNumbers.h"
 
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkGenericCell.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"

@@ -132,7 +132,7 @@ void lift(Report& report)
   for (const auto& [time, height, speed, along, angle, gap] : reference)
   {
     const Diagnostics& d = at_time(run, time);
-    const auto what = [&](const char* of) { return fmt::format("t = {:g}: {}", time, of); };
+    const auto what = [t = time](const char* of) { return fmt::format("t = {:g}: {}", t, of); };
     report.add(absolute(what("height"), height, d.centroid[2], 2e-3));
     report.add(relative(what("lift speed"), speed, *d.lift_speed, 0.01));
     report.add(relative(what("velocity along the wall"), along, d.velocity[0], 1e-3));

@@ -12,6 +12,13 @@
 namespace vesicle
 {
 
+/// Where the dissipation is: in the fluid outside, of the flow less the imposed one, in the fluid inside,
+/// and in the membrane.
+struct PowerSplit
+{
+  double outside = 0, inside = 0, membrane = 0;
+};
+
 /// Values are in the order of the names; empty where undefined (degenerate axes, say).
 struct Diagnostics
 {
@@ -48,13 +55,8 @@ struct Diagnostics
   /// Distance to the wall and the centroid's speed away from it; in scenes with a wall alone, and not
   /// among the names and values either.
   std::optional<double> wall_gap, lift_speed;
-  /// Where the dissipation is: in the fluid outside, of the flow less the imposed one, in the fluid inside,
-  /// and in the membrane. Only of systems where a membrane has a viscosity or fluids have unlike ones
-  /// (System::splits_power); not among the names and values below.
-  struct PowerSplit
-  {
-    double outside = 0, inside = 0, membrane = 0;
-  };
+  /// Only of systems where a membrane has a viscosity or fluids have unlike ones (System::splits_power);
+  /// not among the names and values below.
   std::optional<PowerSplit> split;
 
   static const std::vector<std::string>& names(); ///< the CSV's header

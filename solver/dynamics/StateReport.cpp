@@ -208,7 +208,7 @@ void StateReport::split_power(const VesicleShape& shape, const Eigen::VectorXd& 
   const InnerFlow inner(loads, *shape.vesicle->layer, layer_);
   const Eigen::VectorXd u = surface.to_control(velocity);
   Eigen::VectorXd traction = loads.viscosity_ratio() * inner.traction(velocity);
-  Diagnostics::PowerSplit& split = d.split.emplace();
+  PowerSplit& split = d.split.emplace();
   split.inside = traction.dot(u) * scales_.power();
   if (system_.flow)
     traction -= inner.traction(imposed);

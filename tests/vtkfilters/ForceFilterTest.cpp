@@ -137,13 +137,13 @@ TEST(ForceFilter, ElasticSheetOfASphere)
          std::pair(vtkVesicleForceFilter::Skalak, skalak) })
   {
     filter->SetElasticity(law);
+    const double pressure = 2 * tension / radius;
     const auto error = [&](int triangles)
     {
       filter->SetInputData(sphere(radius, triangles));
       filter->Update();
       const Points force = array(filter->GetOutput(), "Elastic_Force"),
                    normal = array(filter->GetOutput(), "Normals");
-      const double pressure = 2 * tension / radius;
       return (force + pressure * normal).norm() / normal.norm() / pressure;
     };
     const double coarse = error(320), fine = error(1280);
