@@ -90,7 +90,7 @@ int find_tradeoff(const TradeoffOptions& options)
   report.observables = tradeoff::chosen_observables(options.observables, sweep.scene());
   report.tolerance = options.tolerance;
   report.known = tradeoff::known_values(sweep.scene());
-  for (const auto& [name, value] : tradeoff::exact_values(options.exact))
+  for (const auto& [name, value] : tradeoff::exact_values(options.exact, sweep.scene()))
     report.known[name] = value;
   make_folder(plan.folder);
   const FileLock lock(plan.folder / "vesicle.lock");
@@ -129,7 +129,9 @@ void add_tradeoff_command(CLI::App& app, Action& action)
     ->capture_default_str();
   command
     ->add_option("--observables", options->observables,
-      "Columns of a run's table, at its end; by the scene's physics if left out")
+      "Columns of a run's table, at its end, of several vesicles their mean or as velocity_z[1] "
+      "one "
+      "vesicle's; by the scene's physics if left out")
     ->delimiter(',')
     ->allow_extra_args(false);
   command

@@ -1,6 +1,7 @@
 #include "apps/tradeoff/Estimates.h"
 
 #include "apps/tradeoff/Extrapolation.h"
+#include "apps/tradeoff/Observables.h"
 
 #include <fmt/format.h>
 
@@ -166,11 +167,13 @@ double scale_of(const std::string& observable, const Trial& trial)
     const auto found = trial.scales.find(name);
     return found == trial.scales.end() ? 0. : found->second;
   };
+  const std::string column = column_of(observable), vesicle = observable.substr(column.size());
   double result = scale(observable);
-  if (observable.ends_with("_deg"))
+  if (column.ends_with("_deg"))
     result = 180 / std::numbers::pi;
-  else if (observable.starts_with("velocity_"))
-    result = std::hypot(scale("velocity_x"), scale("velocity_y"), scale("velocity_z"));
+  else if (column.starts_with("velocity_"))
+    result = std::hypot(
+      scale("velocity_x" + vesicle), scale("velocity_y" + vesicle), scale("velocity_z" + vesicle));
   return result > 0 ? result : 1;
 }
 

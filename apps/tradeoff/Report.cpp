@@ -100,6 +100,12 @@ const Trial& recommended(const Report& report)
   return report.trials[report.recommendation->trial];
 }
 
+std::string settings_toml(const Report& report)
+{
+  const Trial& t = recommended(report);
+  return t.settings.toml(t.scene.vesicles());
+}
+
 /// How much of a promise is known: a promise of little else than uncertainty may be far too large.
 std::string sureness(const Estimate& e)
 {
@@ -232,7 +238,7 @@ void write_recommended(const Report& report, const std::filesystem::path& file)
   std::string text = fmt::format("# {}\n# {}.\n", report.scene, verdict(report));
   for (const Reference& r : report.references)
     text += "# " + promise_line(report, r) + "\n";
-  replace_file(file, text + recommended(report).settings.toml());
+  replace_file(file, text + settings_toml(report));
 }
 
 void write_json(const Report& report, const std::filesystem::path& file)
@@ -278,7 +284,7 @@ std::string to_text(const Report& report)
   std::string text = verdict(report) + "\n";
   for (const Reference& r : report.references)
     text += "  " + promise_line(report, r) + "\n    by " + r.best.from + "\n";
-  text += "\n" + recommended(report).settings.toml();
+  text += "\n" + settings_toml(report);
   if (const Foresight& f = report.foresight; f.runs > 1)
     text +=
       fmt::format("\nThe runs' own estimates: error/estimate {:.2g} (from {:.2g} to {:.2g}, {} "

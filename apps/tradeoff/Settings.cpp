@@ -51,11 +51,12 @@ std::vector<std::string> Settings::overrides() const
   return result;
 }
 
-std::string Settings::toml() const
+std::string Settings::toml(std::size_t vesicles) const
 {
-  std::string text = fmt::format("[vesicle]\ntriangles = {}\n\n[time]\n{} = {}\n\n[accuracy]\n"
-                                 "preset = \"{}\"\n",
-    triangles, time.key(), to_toml(time.value), preset_name());
+  std::string text =
+    fmt::format("{}triangles = {}\n\n[time]\n{} = {}\n\n[accuracy]\npreset = \"{}\"\n",
+      vesicles > 1 ? "# of each [[vesicle]]: " : "[vesicle]\n", triangles, time.key(),
+      to_toml(time.value), preset_name());
   if (!knob.empty())
   {
     const auto [key, value] = knob_halves();

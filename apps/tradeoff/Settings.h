@@ -34,8 +34,8 @@ struct Settings
   std::array<std::string, 2> knob_halves() const; ///< key and value
   /// As of `vesicle run --set`.
   std::vector<std::string> overrides() const;
-  /// As part of a scene.
-  std::string toml() const;
+  /// As part of a scene; of several vesicles what each one's table takes is a remark.
+  std::string toml(std::size_t vesicles) const;
   /// Whether another differs in nothing but triangles and time.
   bool same_method(const Settings& other) const
   {

@@ -34,9 +34,6 @@ Scene scene_with_end(const SweepPlan& plan)
   std::vector<std::string> overrides = plan.overrides;
   overrides.push_back("accuracy.preset=balanced");
   Scene scene = read_scene(plan.scene, overrides);
-  if (scene.vesicles() > 1)
-    throw InputError(fmt::format("{}: a trade-off is measured on one vesicle, and there are {}",
-      plan.scene.string(), scene.vesicles()));
   if (!scene.time.end)
     throw InputError(
       fmt::format("{}: key 'time.end': a trade-off compares runs at one time; give it by --end",
@@ -186,9 +183,10 @@ void Sweep::collect_ended(std::list<Running>& running)
 
 bool Sweep::has_room(const std::list<Running>& running, const Trial& next) const
 {
-  double memory = cost_of(next.scene, next.settings.triangles).memory;
+  const auto memory_of = [](const Trial& t) { return cost_of(t.scene, t.triangles()).memory; };
+  double memory = memory_of(next);
   for (const Running& r : running)
-    memory += cost_of(trials_[r.trial].scene, trials_[r.trial].settings.triangles).memory;
+    memory += memory_of(trials_[r.trial]);
   return running.empty() ||
     (running.size() < static_cast<std::size_t>(plan_.jobs) && memory < memory_);
 }
@@ -282,7 +280,7 @@ double Sweep::correction(const Trial& trial) const
     if (t.finished() && t.scene.accuracy.basis == trial.scene.accuracy.basis)
     {
       took += t.cpu_seconds;
-      model += expected_seconds(t.scene, t.settings.triangles, t.steps);
+      model += expected_seconds(t.scene, t.triangles(), t.steps);
     }
   return took > 0 ? took / model : 1;
 }
@@ -290,7 +288,7 @@ double Sweep::correction(const Trial& trial) const
 double Sweep::expected(const Trial& trial) const
 {
   return correction(trial) *
-    expected_seconds(trial.scene, trial.settings.triangles, expected_steps(trial));
+    expected_seconds(trial.scene, trial.triangles(), expected_steps(trial));
 }
 
 /// What is known of the runs that are there, expected of the others.

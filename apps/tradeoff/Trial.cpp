@@ -2,6 +2,7 @@
 
 #include "apps/RunFolder.h"
 #include "apps/RunTable.h"
+#include "apps/tradeoff/Observables.h"
 
 #include "solver/Errors.h"
 #include "solver/files/FileBytes.h"
@@ -42,14 +43,50 @@ std::optional<double> number_at(const Json& json, const char* table, const char*
   return json[table][key].get<double>();
 }
 
-void read_scales(const RunTable& table, Trial& trial)
+/// `name`: of a column, the observable.
+template<typename Name>
+void read_scales(const RunTable& table, Trial& trial, Name&& name)
 {
   for (std::size_t i = 0; i < table.columns.size(); ++i)
     for (const Row& row : table.rows)
     {
-      double& scale = trial.scales[table.columns[i]];
+      double& scale = trial.scales[name(table.columns[i])];
       scale = std::max(scale, std::abs(row[i].value_or(0)));
     }
+}
+
+void read_scales(const RunTable& table, Trial& trial)
+{
+  read_scales(table, trial, [](const std::string& column) { return column; });
+  if (trial.scene.vesicles() == 1)
+    return;
+  const auto vesicles = table.by_vesicle();
+  for (std::size_t v = 0; v < vesicles.size(); ++v)
+    read_scales(
+      vesicles[v], trial, [v](const std::string& column) { return of_vesicle(column, v); });
+}
+
+void read_values(const Json& row, Trial& trial)
+{
+  for (const auto& [column, value] : row.items())
+    if (value.is_number())
+      trial.values[column] = value.template get<double>();
+}
+
+/// Each one's, and all's.
+void read_values_of_several(const Json& rows, Trial& trial)
+{
+  std::map<std::string, std::vector<double>> columns;
+  for (std::size_t v = 0; v < rows.size(); ++v)
+    for (const auto& [column, value] : rows[v].items())
+      if (value.is_number())
+      {
+        columns[column].push_back(value.template get<double>());
+        trial.values[of_vesicle(column, v)] = columns[column].back();
+      }
+  for (const auto& [column, values] : columns)
+    if (const auto value = of_all(column, values, rows.size()))
+      trial.values[column] = *value;
 }
 
 }
@@ -100,9 +137,11 @@ bool read_trial(const TrialFolder& folder, Trial& trial)
   trial.time_estimate = number_at(summary, "error_estimates", "time");
   if (!trial.finished())
     return true;
-  for (const auto& [name, value] : summary["final"].items())
-    if (value.is_number())
-      trial.values[name] = value.get<double>();
+  const Json& last = summary["final"];
+  if (last.is_array())
+    read_values_of_several(last, trial);
+  else
+    read_values(last, trial);
   trial.rejected = trial.value("rejected").value_or(0);
   read_scales(read_run_table(files.table()), trial);
   return true;

@@ -31,12 +31,17 @@ struct Trial
   double cpu_seconds = 0;
   double steps = 0, rejected = 0;
   double end = 0; ///< in time
-  std::map<std::string, double>
-    values; ///< of the last row's columns; without those that are undefined
-  std::map<std::string, double> scales; ///< largest magnitude of each column over the run
+  /// By the names of observables (Observables.h): of the last row or rows, without those that are
+  /// undefined; and the largest magnitude of each column over the run.
+  std::map<std::string, double> values, scales;
   std::optional<double> space_estimate, time_estimate; ///< the run's own, relative
 
   bool finished() const { return outcome == Outcome::finished; }
+  /// Of all vesicles.
+  double triangles() const
+  {
+    return static_cast<double>(settings.triangles) * static_cast<double>(scene.vesicles());
+  }
   std::optional<double> value(const std::string& observable) const
   {
     const auto found = values.find(observable);
@@ -64,7 +69,7 @@ private:
 /// one of another scene, or one that was interrupted (how far that came is filled in).
 bool read_trial(const TrialFolder& folder, Trial& trial);
 
-/// What a run is likely to take on one processor, of `steps` steps.
+/// What a run is likely to take on one processor, of `steps` steps; `triangles` of all vesicles.
 double expected_seconds(const Scene& scene, double triangles, double steps);
 
 }

@@ -106,6 +106,38 @@ TEST(TradeoffCommand, GoesOnAfterCtrlC)
   EXPECT_EQ(outcome.output.find("balanced-80-0.01 "), std::string::npos) << "was run again";
 }
 
+// Two spheres side by side rise alike, and faster than one.
+TEST(TradeoffCommand, LooksAtOneOfSeveralVesiclesOrAtAll)
+{
+  const TemporaryFolder folder;
+  std::ofstream(folder / "two.toml") << R"(
+[[vesicle]]
+shape = "sphere"
+triangles = 80
+center = [-2, 0, 0]
+[[vesicle]]
+shape = "sphere"
+triangles = 80
+center = [2, 0, 0]
+[gravity]
+bond_number = 1
+[time]
+end = 0.2
+output_every = 0.2
+)";
+  const auto outcome = vesicle_command(folder.path(),
+    { "tradeoff", "two.toml", "--budget", "5", "--observables", "velocity_z,velocity_z[1]", "-o",
+      "t" });
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  const auto file = [&](const char* name) { return read_file(folder.path() / "t" / name); };
+  const Json found = Json::parse(file("tradeoff.json"))["recommended"]["observables"];
+  const double all = found["velocity_z"]["value"], one = found["velocity_z[1]"]["value"];
+  EXPECT_NEAR(one / all, 1, 1e-3);
+  EXPECT_NEAR(all / (2. / 9), 1 + 3. / 4 / 4, 0.02); // a force at each centre
+  EXPECT_NE(
+    file("recommended.toml").find("# of each [[vesicle]]: triangles = "), std::string::npos);
+}
+
 TEST(TradeoffCommand, RefusesWhatItCannotCompare)
 {
   const TemporaryFolder folder;
@@ -115,6 +147,7 @@ TEST(TradeoffCommand, RefusesWhatItCannotCompare)
   expect_usage_errors(folder.path(),
     { { "tradeoff" }, { "tradeoff", "missing.toml" }, { "tradeoff", "steady.toml" },
       { "tradeoff", "sphere.toml", "--observables", "velocity" },
+      { "tradeoff", "sphere.toml", "--observables", "velocity_z[0]" },
       { "tradeoff", "sphere.toml", "--exact", "velocity_z" },
       { "tradeoff", "sphere.toml", "--tolerance", "0" },
       { "tradeoff", "sphere.toml", "--budget", "-1" } });

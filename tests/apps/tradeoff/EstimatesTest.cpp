@@ -152,6 +152,16 @@ TEST(TradeoffEstimates, CountAnglesInRadians)
   EXPECT_EQ(scale_of("missing", t), 1);
 }
 
+TEST(TradeoffEstimates, ScaleAVesiclesSpeedByItsOwn)
+{
+  Trial t;
+  t.scales = { { "velocity_x", 30 }, { "velocity_x[1]", 3 }, { "velocity_z[1]", 4 },
+    { "tilt_deg[1]", 1 } };
+  EXPECT_EQ(scale_of("velocity_x", t), 30);
+  EXPECT_EQ(scale_of("velocity_x[1]", t), 5);
+  EXPECT_NEAR(scale_of("tilt_deg[1]", t), 57.2957795, 1e-6);
+}
+
 TEST(TradeoffGrid, HasTheScenesOwnSettingAndThePapersSchemeAndNothingTwice)
 {
   const auto grid = settings_grid(640, { false, 1e-3 });
@@ -178,9 +188,10 @@ TEST(TradeoffSettings, AreWhatTheyWouldBeInAScene)
 {
   const Settings s{ balanced, 320, { false, 1e-3 }, "precision=double" };
   EXPECT_EQ(s.label(), "balanced-320-0.001-precision-double");
-  EXPECT_EQ(s.toml(),
+  EXPECT_EQ(s.toml(1),
     "[vesicle]\ntriangles = 320\n\n[time]\ntolerance = 0.001\n\n[accuracy]\n"
     "preset = \"balanced\"\nprecision = \"double\"\n");
+  EXPECT_TRUE(s.toml(2).starts_with("# of each [[vesicle]]: triangles = 320\n\n[time]\n"));
 }
 
 }
