@@ -148,7 +148,7 @@ Points equal_area_sphere(const Surface& surface)
     n = evened(positive(density, n), n);
     before = now;
   }
-  const Points sphere = std::sqrt(surface.area / (4 * std::numbers::pi)) * n;
+  Points sphere = std::sqrt(surface.area / (4 * std::numbers::pi)) * n;
   constexpr double largest_dilation = 0.05;
   if (!(dilation(surface, sphere) < largest_dilation))
     throw InputError(

@@ -1,12 +1,10 @@
 #include "solver/linear/Blas.h"
 
 #include <algorithm>
+#include <cblas.h>
 #include <cstdlib>
 #include <initializer_list>
 #include <unistd.h>
-
-extern "C" char* openblas_get_corename(void);
-extern "C" void openblas_set_num_threads(int);
 
 namespace vesicle
 {

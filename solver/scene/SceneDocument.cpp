@@ -141,7 +141,7 @@ SceneDocument::Vesicle vesicle_of(
   add_table(vesicle, vesicle_name, shown, table, file);
   for (const auto& [key, node] : in_file_order(table))
     if (const auto* own = node->as_table(); own && is_own_table(key))
-      add_table(vesicle, key, shown + "." + key, *own, file);
+      add_table(vesicle, key, fmt::format("{}.{}", shown, key), *own, file);
   for (const auto& entry : vesicle.entries)
     if (is_of_the_scene(entry.table, entry.key))
       throw InputError(fmt::format("{}: key '{}.{}': is one for all vesicles; allowed: [{}] {}",

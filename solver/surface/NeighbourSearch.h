@@ -44,7 +44,7 @@ public:
   {
     begin(vertex, static_cast<int>(neighbours.start.size()) - 1);
     visit(neighbours, vertex, accept);
-    for (std::size_t k = 0; k < found_.size(); ++k)
+    for (std::size_t k = 0; k < found_.size(); ++k) // NOLINT(modernize-loop-convert): it grows
       visit(neighbours, found_[k], accept);
   }
 

@@ -120,7 +120,7 @@ void combine_numbers(const FieldRows& rows, const double* of_rows, double* entri
     for (std::size_t f = 0; f < fields; ++f)
     {
       const double *field = rows.fields[f], by = of_rows[f];
-      if (f == 0)
+      if (f == 0) // NOLINT(bugprone-branch-clone): what is set first and added then
 #pragma omp simd
         for (int k = start[q]; k < start[q + 1]; ++k)
           entries[k] = by * field[k];

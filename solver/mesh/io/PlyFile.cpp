@@ -45,9 +45,9 @@ constexpr std::array type_names{ TypeName{ "char", Type::int8 }, TypeName{ "int8
 template<typename Use>
 auto with_type(Type type, Use use)
 {
-  switch (type) // NOLINT(bugprone-branch-clone): each of another type
+  switch (type)
   {
-    case Type::int8:
+    case Type::int8: // NOLINT(bugprone-branch-clone): each of another type
       return use(std::int8_t());
     case Type::uint8:
       return use(std::uint8_t());
