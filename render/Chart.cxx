@@ -214,6 +214,20 @@ void fill_viewport(vtkRenderer* renderer, vtkContextActor* canvas, vtkChartXY* c
   renderer->AddActor(canvas);
 }
 
+namespace
+{
+
+/// Where there is no chart; VTK leaves a window black there.
+vtkSmartPointer<vtkRenderer> blank(const std::array<double, 4>& viewport)
+{
+  auto renderer = vtkSmartPointer<vtkRenderer>::New();
+  renderer->SetBackground(1, 1, 1);
+  renderer->SetViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+  return renderer;
+}
+
+}
+
 void write_chart(const std::filesystem::path& file, const ChartSpec& chart, std::array<int, 2> size)
 {
   write_charts(file, { chart }, 1, size);
@@ -231,20 +245,24 @@ void write_charts(const std::filesystem::path& file, const std::vector<ChartSpec
   const double scale = chart_scale(size[1] / rows);
   constexpr int samples = 8; // smooth lines; a chart is drawn once
   const auto window = off_screen_window(size, samples);
-  std::vector<vtkSmartPointer<vtkChartXY>> items;
-  for (int i = 0; i < static_cast<int>(charts.size()); ++i)
+  const auto cell = [&](int i) -> std::array<double, 4>
   {
     const int column = i % columns;
     const int row = rows - 1 - i / columns; // VTK counts from below
+    return { static_cast<double>(column) / columns, static_cast<double>(row) / rows,
+      (column + 1.) / columns, (row + 1.) / rows };
+  };
+  std::vector<vtkSmartPointer<vtkChartXY>> items;
+  for (int i = 0; i < static_cast<int>(charts.size()); ++i)
+  {
     vtkNew<vtkRenderer> renderer;
     vtkNew<vtkContextActor> canvas;
     items.push_back(make_chart(charts[static_cast<std::size_t>(i)], scale));
-    fill_viewport(renderer, canvas, items.back(),
-      { static_cast<double>(column) / columns, static_cast<double>(row) / rows,
-        (column + 1.) / columns, (row + 1.) / rows },
-      size);
+    fill_viewport(renderer, canvas, items.back(), cell(i), size);
     window->AddRenderer(renderer);
   }
+  for (int i = static_cast<int>(charts.size()); i < rows * columns; ++i)
+    window->AddRenderer(blank(cell(i)));
   window->Render();
   bool adapted = false;
   for (std::size_t i = 0; i < charts.size(); ++i)

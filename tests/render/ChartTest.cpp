@@ -113,7 +113,9 @@ TEST(Chart, SeveralFitIntoOnePicture)
 {
   const TemporaryFolder folder;
   write_charts(folder / "charts.png", { parabola(), parabola(), parabola() }, 2, { 800, 600 });
-  EXPECT_GT(std::filesystem::file_size(folder / "charts.png"), 1000u);
+  const auto image = read_png(folder / "charts.png");
+  EXPECT_EQ(size_of(image), (std::array{ 800, 600 }));
+  EXPECT_FALSE(colors_of(image).contains({ 0, 0, 0 })); // the fourth place is as white as the paper
 }
 
 TEST(Chart, IsAnSvgFileWhereItsNameEndsSo)
