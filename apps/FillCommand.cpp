@@ -123,7 +123,8 @@ int fill_region(FillOptions options)
   if (const auto overlap = find_overlap(meshes))
     throw InputError(to_text(*overlap) + ": take a larger --gap, or more triangles");
   if (to_scene)
-    replace_file(options.output, write_scene(filled_scene(scene, placements, options.aligned)));
+    replace_file(
+      options.output, write_editable_scene(filled_scene(scene, placements, options.aligned)));
   else
     write_meshes(meshes, options.output);
   print("{}\n{} vesicles of {} triangles, {:.3g}% of the region's volume\n", options.output,

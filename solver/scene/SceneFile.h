@@ -28,6 +28,9 @@ Scene parse_scene(const std::string& text, const std::string& name,
 /// number bit for bit (`file` and, for start shapes, `edge_length` aren't part of the format).
 std::string write_scene(const Scene& scene);
 
+/// The same without what the preset stands for, so that another preset can be put in its place.
+std::string write_editable_scene(const Scene& scene);
+
 /// The same of a scene as read_scene() reads it, with a comment at each key: its unit, and whether
 /// it was left out ("by default").
 std::string annotated_scene(

@@ -32,8 +32,9 @@ std::string keys_text(
     if (key.goes_with(variant) && (!key.shown || key.shown(scene)))
     {
       const std::string value = key.write(scene);
-      if (!value.empty())
-        text += line_of(fmt::format("{} = {}", key.name, value), remark(table, key, vesicle));
+      const auto said = value.empty() ? std::nullopt : remark(table, key, vesicle);
+      if (said)
+        text += line_of(fmt::format("{} = {}", key.name, value), *said);
     }
   return text;
 }
@@ -41,6 +42,12 @@ std::string keys_text(
 std::string nothing(const SceneTable&, const SceneKey&, std::size_t)
 {
   return {};
+}
+
+bool is_of_preset(const SceneTable& table, const SceneKey& key)
+{
+  return table.name == "accuracy" ? key.name != "preset"
+                                  : table.name == "time" && key.name == "tolerance";
 }
 
 /// The tables of a vesicle beside the first, where they aren't as the first's: a whole table each.
@@ -99,6 +106,19 @@ std::string write_scene(const Scene& scene, const KeyRemark& remark)
 std::string write_scene(const Scene& scene)
 {
   return write_scene(scene, nothing);
+}
+
+std::string write_editable_scene(const Scene& scene)
+{
+  Scene by_preset = scene;
+  by_preset.accuracy = Scene::preset(scene.accuracy.preset);
+  by_preset.time.tolerance = Scene::preset_tolerance(scene.accuracy.preset);
+  return write_scene(scene,
+    [&](const SceneTable& table, const SceneKey& key, std::size_t)
+    {
+      const bool implied = is_of_preset(table, key) && key.write(scene) == key.write(by_preset);
+      return implied ? std::nullopt : std::optional<std::string>("");
+    });
 }
 
 }

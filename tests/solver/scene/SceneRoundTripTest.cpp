@@ -159,6 +159,26 @@ TEST(SceneRoundTrip, WithRemarksToo)
   }
 }
 
+TEST(SceneRoundTrip, WithoutWhatThePresetStandsForToo)
+{
+  for (const auto& entry : std::filesystem::directory_iterator(scenes_folder))
+  {
+    SCOPED_TRACE(entry.path().string());
+    const Scene scene = read_scene(entry.path());
+    expect_same(scene, parse_scene(write_editable_scene(scene), "written.toml", "/elsewhere"));
+  }
+}
+
+TEST(SceneRoundTrip, AnEditableScenesPresetCanBeReplaced)
+{
+  const std::string start = "[vesicle]\nshape = \"sphere\"\n[accuracy]\nprecision = \"double\"\n";
+  const std::string text = write_editable_scene(parsed(start));
+  const auto accuracy =
+    parse_scene(text, "t", ".", { "accuracy.preset=accurate", "vesicle.triangles=80" }).accuracy;
+  EXPECT_EQ(accuracy.quadrature, Scene::preset(Scene::Preset::accurate).quadrature);
+  EXPECT_EQ(accuracy.precision, LayerPrecision::full); // was asked for
+}
+
 TEST(SceneRoundTrip, Defaults)
 {
   const Scene scene = parsed("[vesicle]\nshape = \"sphere\"");
