@@ -129,9 +129,8 @@ void add_tradeoff_command(CLI::App& app, Action& action)
     ->capture_default_str();
   command
     ->add_option("--observables", options->observables,
-      "Columns of a run's table, at its end, of several vesicles their mean or as velocity_z[1] "
-      "one "
-      "vesicle's; by the scene's physics if left out")
+      "Columns of a run's table, at its end; of several vesicles the mean or, as velocity_z[1], "
+      "one's; by the scene's physics if left out")
     ->delimiter(',')
     ->allow_extra_args(false);
   command

@@ -130,6 +130,13 @@ void set_axis(vtkAxis* axis, const std::string& label, bool logarithmic, double 
   axis->GetPen()->SetWidth(static_cast<float>(1.5 * scale));
 }
 
+/// White; VTK leaves black what no renderer takes.
+void take_viewport(vtkRenderer* renderer, const std::array<double, 4>& part)
+{
+  renderer->SetBackground(1, 1, 1);
+  renderer->SetViewport(part[0], part[1], part[2], part[3]);
+}
+
 /// Widens what one axis of a drawn chart shows, so that a unit is as long on both.
 void make_units_equal(vtkChartXY* chart)
 {
@@ -201,8 +208,7 @@ void fill_viewport(vtkRenderer* renderer, vtkContextActor* canvas, vtkChartXY* c
   const double height = (viewport[3] - viewport[1]) * size[1];
   const double border = border_width * chart_scale(static_cast<int>(height));
   const double below = std::max(border, inset * height);
-  renderer->SetBackground(1, 1, 1);
-  renderer->SetViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+  take_viewport(renderer, viewport);
   chart->SetAutoSize(false);
   // Whole pixels: VTK smears letters that lie between them.
   const auto pixels = [](double x) { return static_cast<float>(std::round(x)); };
@@ -212,20 +218,6 @@ void fill_viewport(vtkRenderer* renderer, vtkContextActor* canvas, vtkChartXY* c
   canvas->GetScene()->AddItem(chart);
   canvas->GetScene()->SetRenderer(renderer);
   renderer->AddActor(canvas);
-}
-
-namespace
-{
-
-/// Where there is no chart; VTK leaves a window black there.
-vtkSmartPointer<vtkRenderer> blank(const std::array<double, 4>& viewport)
-{
-  auto renderer = vtkSmartPointer<vtkRenderer>::New();
-  renderer->SetBackground(1, 1, 1);
-  renderer->SetViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
-  return renderer;
-}
-
 }
 
 void write_chart(const std::filesystem::path& file, const ChartSpec& chart, std::array<int, 2> size)
@@ -245,24 +237,24 @@ void write_charts(const std::filesystem::path& file, const std::vector<ChartSpec
   const double scale = chart_scale(size[1] / rows);
   constexpr int samples = 8; // smooth lines; a chart is drawn once
   const auto window = off_screen_window(size, samples);
-  const auto cell = [&](int i) -> std::array<double, 4>
+  std::vector<vtkSmartPointer<vtkChartXY>> items;
+  for (int i = 0; i < rows * columns; ++i)
   {
     const int column = i % columns;
     const int row = rows - 1 - i / columns; // VTK counts from below
-    return { static_cast<double>(column) / columns, static_cast<double>(row) / rows,
-      (column + 1.) / columns, (row + 1.) / rows };
-  };
-  std::vector<vtkSmartPointer<vtkChartXY>> items;
-  for (int i = 0; i < static_cast<int>(charts.size()); ++i)
-  {
+    const std::array<double, 4> part{ static_cast<double>(column) / columns,
+      static_cast<double>(row) / rows, (column + 1.) / columns, (row + 1.) / rows };
     vtkNew<vtkRenderer> renderer;
-    vtkNew<vtkContextActor> canvas;
-    items.push_back(make_chart(charts[static_cast<std::size_t>(i)], scale));
-    fill_viewport(renderer, canvas, items.back(), cell(i), size);
+    if (i < static_cast<int>(charts.size()))
+    {
+      vtkNew<vtkContextActor> canvas;
+      items.push_back(make_chart(charts[static_cast<std::size_t>(i)], scale));
+      fill_viewport(renderer, canvas, items.back(), part, size);
+    }
+    else
+      take_viewport(renderer, part);
     window->AddRenderer(renderer);
   }
-  for (int i = static_cast<int>(charts.size()); i < rows * columns; ++i)
-    window->AddRenderer(blank(cell(i)));
   window->Render();
   bool adapted = false;
   for (std::size_t i = 0; i < charts.size(); ++i)

@@ -43,46 +43,38 @@ std::optional<double> number_at(const Json& json, const char* table, const char*
   return json[table][key].get<double>();
 }
 
-/// `name`: of a column, the observable.
-template<typename Name>
-void read_scales(const RunTable& table, Trial& trial, Name&& name)
+/// `vesicle`: what the names of observables have behind that of their column.
+void read_scales(const RunTable& table, const std::string& vesicle, Trial& trial)
 {
   for (std::size_t i = 0; i < table.columns.size(); ++i)
+  {
+    double& scale = trial.scales[table.columns[i] + vesicle];
     for (const Row& row : table.rows)
-    {
-      double& scale = trial.scales[name(table.columns[i])];
       scale = std::max(scale, std::abs(row[i].value_or(0)));
-    }
+  }
 }
 
 void read_scales(const RunTable& table, Trial& trial)
 {
-  read_scales(table, trial, [](const std::string& column) { return column; });
+  read_scales(table, "", trial);
   if (trial.scene.vesicles() == 1)
     return;
   const auto vesicles = table.by_vesicle();
   for (std::size_t v = 0; v < vesicles.size(); ++v)
-    read_scales(
-      vesicles[v], trial, [v](const std::string& column) { return of_vesicle(column, v); });
+    read_scales(vesicles[v], of_vesicle("", v), trial);
 }
 
-void read_values(const Json& row, Trial& trial)
-{
-  for (const auto& [column, value] : row.items())
-    if (value.is_number())
-      trial.values[column] = value.template get<double>();
-}
-
-/// Each one's, and all's.
-void read_values_of_several(const Json& rows, Trial& trial)
+/// Of all vesicles and, where there are several, of each.
+void read_values(const Json& rows, Trial& trial)
 {
   std::map<std::string, std::vector<double>> columns;
   for (std::size_t v = 0; v < rows.size(); ++v)
     for (const auto& [column, value] : rows[v].items())
       if (value.is_number())
       {
-        columns[column].push_back(value.template get<double>());
-        trial.values[of_vesicle(column, v)] = columns[column].back();
+        columns[column].push_back(value.get<double>());
+        if (rows.size() > 1)
+          trial.values[of_vesicle(column, v)] = columns[column].back();
       }
   for (const auto& [column, values] : columns)
     if (const auto value = of_all(column, values, rows.size()))
@@ -138,10 +130,7 @@ bool read_trial(const TrialFolder& folder, Trial& trial)
   if (!trial.finished())
     return true;
   const Json& last = summary["final"];
-  if (last.is_array())
-    read_values_of_several(last, trial);
-  else
-    read_values(last, trial);
+  read_values(last.is_array() ? last : Json::array({ last }), trial);
   trial.rejected = trial.value("rejected").value_or(0);
   read_scales(read_run_table(files.table()), trial);
   return true;

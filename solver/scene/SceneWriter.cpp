@@ -44,6 +44,7 @@ std::string nothing(const SceneTable&, const SceneKey&, std::size_t)
   return {};
 }
 
+/// Whether a preset says what the key is where a scene doesn't.
 bool is_of_preset(const SceneTable& table, const SceneKey& key)
 {
   return table.name == "accuracy" ? key.name != "preset"

@@ -214,14 +214,14 @@ TEST_F(SeveralVesiclesRun, FillWritesAScene)
 
   arguments = fill;
   for (const char* more :
-    { "wall.toml", "--center", "0", "0", "5", "--set", "wall.normal=[0,0,1]" })
+    { "wall.toml", "--center", "0", "0", "2", "--set", "wall.normal=[0,0,1]" })
     arguments.emplace_back(more);
   ASSERT_EQ(vesicle_command(folder.path(), arguments).code, 0);
   const Scene above = read_scene(folder / "wall.toml");
   ASSERT_TRUE(above.wall);
   for (std::size_t v = 0; v < 5; ++v)
-    EXPECT_GT(above.alone(v).vesicle.center.z(), 1.5);
-  EXPECT_EQ(vesicle_command(folder.path(), { "check", "wall.toml" }).code, 0);
+    EXPECT_GT(above.alone(v).vesicle.center.z(), 0);
+  EXPECT_EQ(vesicle_command(folder.path(), { "check", "wall.toml" }).code, 0); // none crosses it
 
   const auto crowded = vesicle_command(
     folder.path(), { "fill", "two.toml", "--count", "500", "--ball", "3", "-o", "none.toml" });

@@ -10,24 +10,25 @@ if ! command -v clang-tidy > /dev/null || ! command -v clang++ > /dev/null; then
   echo "Skipped: clang-tidy or clang++ is missing"
   exit 77
 fi
+files=("$@")
 folder=build/clang
 together=OFF
 options=(--quiet --warnings-as-errors='*')
-if [ "${1:-}" = --all ]; then
+if [ $# -eq 0 ]; then
+  mapfile -t files < <(git diff --name-only --diff-filter=d HEAD~1 -- 'solver/*.cpp')
+  [ ${#files[@]} -eq 0 ] && exit
+elif [ "$1" = --all ]; then
   # Most of the work is what a file includes: files that are compiled together share it.
   folder=build/tidy
   together=ON
   options+=(--header-filter='/solver/.*\.(h|cpp)$' --checks=-bugprone-suspicious-include)
 fi
+
 mkdir -p build
 cmake --preset clang -B "$folder" -DVESICLE_UNITY_BUILD=$together > build/clang.log 2>&1 ||
   { cat build/clang.log >&2; exit 1; }
-case ${1:-} in
-  '') mapfile -t files < <(git diff --name-only --diff-filter=d HEAD~1 -- 'solver/*.cpp') ;;
-  --all) mapfile -t files < <(grep -oP "\"file\": \"\K$PWD/($folder/)?solver/[^\"]*" $folder/compile_commands.json) ;;
-  *) files=("$@") ;;
-esac
-[ ${#files[@]} -eq 0 ] && exit
-
+if [ $together = ON ]; then
+  mapfile -t files < <(grep -oP "\"file\": \"\K$PWD/($folder/)?solver/[^\"]*" $folder/compile_commands.json)
+fi
 printf '%s\0' "${files[@]}" |
   xargs -0 -n 1 -P "$(nproc)" clang-tidy -p "$folder" "${options[@]}" 2> /dev/null

@@ -173,8 +173,7 @@ TEST(SceneRoundTrip, AnEditableScenesPresetCanBeReplaced)
 {
   const std::string start = "[vesicle]\nshape = \"sphere\"\n[accuracy]\nprecision = \"double\"\n";
   const std::string text = write_editable_scene(parsed(start));
-  const auto accuracy =
-    parse_scene(text, "t", ".", { "accuracy.preset=accurate", "vesicle.triangles=80" }).accuracy;
+  const auto accuracy = parse_scene(text, "t", ".", { "accuracy.preset=accurate" }).accuracy;
   EXPECT_EQ(accuracy.quadrature, Scene::preset(Scene::Preset::accurate).quadrature);
   EXPECT_EQ(accuracy.precision, LayerPrecision::full); // was asked for
 }
